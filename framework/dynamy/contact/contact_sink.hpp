@@ -75,12 +75,16 @@ struct ContactRequest {
   bool follow = false;
   /// With follow: pairs of features that may touch within this time are noted [s]; below 0: none.
   double ahead = -1.0;
+  /// With follow: a circle on whose rim one point is less above another one lies flat [m].
+  double flat = 0.0;
   /// With follow: contacts outside of these need not be reported; null: all are.
   const NearContacts* near = nullptr;
 };
 
 class ContactSink {
  public:
+  /// The lowest point of a circle counts from this part of ContactRequest::flat on.
+  static constexpr double kLowest = 0.5;
   /// `some`: the view that asks; null: all systems take part.
   ContactSink(ContactSet& set, const ContactRequest& request, const SystemSubset* some = nullptr)
       : set_(&set), request_(request), some_(some) {}
@@ -101,6 +105,10 @@ class ContactSink {
   std::span<const ContactKey> asked(std::uint64_t first, std::uint64_t end) const;
   /// Sets the presence of the contact that was added last [m].
   void presence(double value) { set_->features.presence.back() = value; }
+  /// The same for the lowest point of a circle that is tilted by the height `lift` [m].
+  void circle(double lift) {
+    presence(lift - kLowest * request_.flat), set_->features.circle.back() = 1;
+  }
   void note(std::uint64_t id) { set_->features.noted.push_back(contactKey(element_, id)); }
   /// Reports two bodies whose contacts come and go; overlap(): the depth of their overlap [m].
   void comesAndGoes() { set_->features.comeAndGo = true; }

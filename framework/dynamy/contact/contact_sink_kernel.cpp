@@ -44,7 +44,8 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   c.position.resize(rows), c.chi.resize(rows);
   if (unilateral || dim == 1) c.position[row] = g;
   c.scale.push_back(1.0);
-  if (request_.follow) c.features.presence.push_back(FollowedFeatures::kAlways);
+  if (request_.follow)
+    c.features.presence.push_back(FollowedFeatures::kAlways), c.features.circle.push_back(0);
   if (request_.bias) c.bias.resize(rows);
   c.places.add();
   return {c, index, request_.bias, some_};

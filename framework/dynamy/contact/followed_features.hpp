@@ -13,13 +13,16 @@ struct FollowedFeatures {
   /// Presence per closed contact [m]: positive while its two features lie over one another, zero
   /// where they cease to do so; kAlways: the contact does not come and go.
   std::vector<double> presence;
+  /// Per closed contact: not 0 for the lowest point of a circle that is tilted little, whose presence
+  /// is by how much it is tilted more than a flat one.
+  std::vector<char> circle;
   std::vector<ContactKey> noted;  ///< pairs that may touch soon
   bool comeAndGo = false;         ///< some contacts here come and go with the features that touch
   /// Deepest overlap of bodies whose contacts come and go [m]; −∞: there are none.
   double overlap = 0.0;
 
   void clear() {
-    presence.clear(), noted.clear(), comeAndGo = false;
+    presence.clear(), circle.clear(), noted.clear(), comeAndGo = false;
     overlap = -std::numeric_limits<double>::infinity();
   }
 };

@@ -68,7 +68,10 @@ void ClosingContacts::write(ContactSet& c) const {
     c.closedIndex[static_cast<std::size_t>(all_.candidate[at])] = c.size();
     append(all_, i, all_.dim(i), *all_.law[at], c);
     c.places.add(all_.places, at);
-    if (!all_.features.presence.empty()) c.features.presence.push_back(all_.features.presence[at]);
+    if (!all_.features.presence.empty()) {
+      c.features.presence.push_back(all_.features.presence[at]);
+      c.features.circle.push_back(all_.features.circle[at]);
+    }
   }
 }
 

@@ -166,7 +166,7 @@ TEST(PathContacts, AContactThatIsLookedAtAloneIsTheOneAmongAll) {
       EXPECT_EQ(probe.gaps().presence(i), all.presence(i)) << i;
     }
   }
-  EXPECT_LT(probe.looks().whole, 12);
+  EXPECT_LT(probe.looks.whole, 12);
 }
 
 TEST(PathContacts, SpeedsWithoutAFiniteValueLeaveNothingOut) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <dynamy_elements/contacts/kernels/follow_pairs.hpp>
-#include <dynamy_elements/contacts/pairs/disc_body.hpp>
 #include <dynamy_elements/contacts/pairs/feature_pairs.hpp>
 #include <dynamy_elements/contacts/pairs/seen_apart.hpp>
 
@@ -104,29 +103,29 @@ void watch(PairReport& report) {
 }
 
 /// A spin about the rim's own axis brings it no nearer to lying flat.
-void watchFlat(PairReport& report, const OverHalfSpace& over) {
+void noteFlat(PairReport& report, const OverHalfSpace& over) {
   const auto& [a, b, A, B, plane] = report.pair();
   const std::vector<SupportFeature>& features = b.features;
   const auto point = std::find_if(features.begin(), features.end(),
                                   [](const SupportFeature& f) { return f.flatOnly; });
   const ContactRequest& request = report.request();
   if (point == features.end() || (request.ahead < 0.0 && !request.frozen.empty())) return;
-  const std::uint64_t number = report.id() + static_cast<std::uint64_t>(point - features.begin());
-  if (request.ahead < 0.0) return report.sink().note(number);
+  const auto note = [&](const SupportFeature& f) {
+    report.sink().note(report.id() + static_cast<std::uint64_t>(&f - features.data()));
+  };
+  if (request.ahead < 0.0) return note(*point);
   const Vec3 axis = B.A_IK * point->axis_K, Omega = B.Omega_I - A.Omega_I;
   const Vec3 level = axis.cross(A.A_IK * a.n_K);  // the rim tilts about this axis
   const double turn = axis.cross(Omega).norm(), sine = level.norm(), tau = request.ahead,
                tilt = sine > 0.0 ? std::abs(Omega.dot(level)) / sine : turn;
   const double rate = std::min(turn, tilt + kFaster * tau * Omega.norm() * turn);
   const double margin = kNear * b.thickness;
+  if (point->rho * (sine - kFaster * tau * rate) > margin + request.flat) return;
   const Vec3 c = B.A_IK * b.p_K;
-  const double speed = (B.velocity(c) - A.velocity(B.r_OS_I + c - A.r_OS_I)).norm();
-  double lowest = std::numeric_limits<double>::infinity(), rho = 0.0;
+  const double speed = (B.velocity(c) - A.velocity(B.r_OS_I + c - A.r_OS_I)).norm(),
+               reach = margin + kFaster * tau * (speed + turn * b.bound);
   for (const SupportFeature& f : features)
-    if (f.kind == SupportFeature::Kind::rim)
-      lowest = std::min(lowest, over.gap(f)), rho = std::max(rho, f.rho);
-  if (rho * (sine - DiscBody::kFlat - kFaster * tau * rate) > margin) return;
-  if (lowest <= margin + kFaster * tau * (speed + turn * b.bound)) report.sink().note(number);
+    if (f.flatOnly && over.gap(f) <= reach) note(f);
 }
 
 }  // namespace dynamy

@@ -16,8 +16,8 @@ void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPoly
 /// they may close.
 void watch(PairReport& report);
 
-/// Rims over a half space are followed unless one lies flat, where four of its points touch: notes
-/// the first of these points if that may happen.
-void watchFlat(PairReport& report, const OverHalfSpace& over);
+/// A rim over a half space is followed as its lowest point, and, where it lies flat, as four of its
+/// points: notes those that may touch within the time that is looked ahead.
+void noteFlat(PairReport& report, const OverHalfSpace& over);
 
 }  // namespace dynamy

@@ -1,6 +1,7 @@
 // Features of a shape over a half space:   g = n·(c − p) − h(−n),   n fixed in the half space
 #include <dynamy_elements/contacts/kernels/follow_pairs.hpp>
 #include <dynamy_elements/contacts/kernels/standard_pairs.hpp>
+#include <dynamy_elements/contacts/pairs/disc_body.hpp>
 #include <dynamy_elements/contacts/shapes/contour.hpp>
 
 namespace dynamy {
@@ -21,6 +22,15 @@ const SupportFeature* lowestCorner(const OverHalfSpace& over, const PairReport& 
   return lowest;
 }
 
+/// A circle is followed as four of its points while it lies flat, else as its lowest point.
+void presence(const PairReport& report, const OverHalfSpace& over, const SupportFeature& f) {
+  const double flat = report.request().flat, lift = over.lift(f);
+  if (f.flatOnly)
+    report.sink().presence(flat - lift);
+  else if (lift < DiscBody::kFlat * f.rho)
+    report.sink().circle(lift);
+}
+
 class OnHalfSpace final : public PairKernel {
  public:
   /// A contour that goes in may touch a plane at more than one point.
@@ -33,20 +43,21 @@ class OnHalfSpace final : public PairKernel {
     const OverHalfSpace over(A, a, B);
     const SupportFeature* lowest = lowestCorner(over, report);
     const bool follows = report.request().follow;
-    if (follows) watchFlat(report, over);
+    if (follows) noteFlat(report, over);
     for (std::size_t f = 0; f < b.features.size(); ++f) {
       const SupportFeature& feature = b.features[f];
-      // A rim that lies flat is followed as one of its points, as all have the same height.
-      const bool touches = over.touches(feature), isRim = feature.kind == SupportFeature::Kind::rim;
-      if (follows ? feature.flatOnly : !touches) continue;
+      const bool touches = over.touches(feature), isRim = feature.kind == SupportFeature::Kind::rim,
+                 asked = follows && !report.sink().leftOut(report.id() + f);
+      if (follows ? feature.flatOnly && !asked : !touches) continue;
       report.add(f, over.gap(feature), [&] {
-        const bool lies = isRim && !touches;
+        const bool lies = isRim && !touches;  // all of its points are equally low
         ContactPoint at =
             over.contact(lies ? report.pair().b.features[f + 1] : feature, report.pair().plane);
         if (lowest && &feature != lowest)
           intoPlane(at.d[0], at.ddot[0], over.contact(*lowest, report.pair().plane), at);
         return at;
       });
+      if (asked && (isRim || feature.flatOnly)) presence(report, over, feature);
     }
   }
 

@@ -43,6 +43,8 @@ class OverHalfSpace {
     const bool always = feature.kind == SupportFeature::Kind::ball && !feature.flatOnly;
     return always || feature.touches(-n_B_);
   }
+  /// Of a rim, and of points of it: SupportFeature::lift.
+  double lift(const SupportFeature& feature) const { return feature.lift(-n_B_); }
   ContactPoint contact(const SupportFeature& feature, const Vec3& plane) const;
 
  private:

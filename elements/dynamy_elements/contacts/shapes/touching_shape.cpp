@@ -43,7 +43,8 @@ class Features {
       const double side = i < 2 ? rho : -rho;
       ball(i % 2 == 0 ? Vec3(side, 0.0, z) : Vec3(0.0, side, z), tube,
            name + ".point" + std::to_string(i));
-      out_.features.back().flatOnly = true, out_.features.back().axis_K = axis_K;
+      SupportFeature& point = out_.features.back();
+      point.flatOnly = true, point.axis_K = axis_K, point.rho = rho;
     }
   }
   /// Corners of the section with the plane of motion, for `points` in the shape's

@@ -49,7 +49,8 @@ struct SupportFeature : RoundFeature {
   enum class Kind : std::uint8_t { ball, rim, ellipsoid, contour, smooth } kind = Kind::ball;
   bool flatOnly = false;       ///< touches only while the circle about `axis_K` lies almost flat
   Vec3 axis_K = Vec3::Zero();  ///< rim: a
-  double rho = 0.0;            ///< rim: radius of the circle; `radius` is that of the tube [m]
+  /// Rim, and points of it: radius of the circle; `radius` is that of the tube [m].
+  double rho = 0.0;
   /// Ellipsoid: D² in axes of the frame [m²]. Contour: its axes, the third normal to its plane.
   /// Smooth shape: the axes of the shape.
   Mat3 square_K = Mat3::Zero();
@@ -60,6 +61,8 @@ struct SupportFeature : RoundFeature {
   double support(const Vec3& d_K) const;        ///< h(d) [m]
   Vec3 point(const Vec3& d_K) const;            ///< x(d) [m]
   Mat3 pointDerivative(const Vec3& d_K) const;  ///< H(d) [m]
+  /// Rim, and points of it: ρ s, by which the circle reaches beyond its middle along d [m].
+  double lift(const Vec3& d_K) const;
   /// Can it touch a plane with the normal −d? A flat rim cannot, as all
   /// of its points are equally low.
   bool touches(const Vec3& d_K) const;

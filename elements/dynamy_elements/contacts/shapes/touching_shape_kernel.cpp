@@ -59,6 +59,8 @@ Mat3 SupportFeature::pointDerivative(const Vec3& d) const {
   return H;
 }
 
+double SupportFeature::lift(const Vec3& d) const { return rho * across(d, axis_K).norm(); }
+
 bool SupportFeature::touches(const Vec3& d) const {
   if (kind == Kind::rim) return across(d, axis_K).squaredNorm() > kLevelFace * kLevelFace;
   return !flatOnly || across(d, axis_K).squaredNorm() < kFlat * kFlat;

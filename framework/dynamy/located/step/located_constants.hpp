@@ -66,6 +66,8 @@ struct BiasConstants {
 
 /// Contacts that come and go with the features of bodies (theory 50.9).
 struct MeetingConstants {
+  /// Height over which a circle is tilted that still lies flat: of tol L, and at least of L.
+  static constexpr double flat = 0.05, leastFlat = 1e-10;
   static constexpr double left = 1e-3;     ///< of tol L: overlaps that are left as they are
   static constexpr double passing = 10.0;  ///< of tol L: overlaps inside a step
   static constexpr double around = 1e-2;   ///< of L: search for a contact that cannot be followed

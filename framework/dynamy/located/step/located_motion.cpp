@@ -29,7 +29,7 @@ Refusal LocatedMotion::advance(MechanicalSystem& s, InclusionSolver& solver, con
                                const Start& start, double dt, StepReport& report) {
   LocatedStep step{s, solver, report, parts_, from_, to_, record_, startHeld_, start.lastSwitched};
   bool done = false;
-  parts_.probe.looks() = {};
+  parts_.probe.looks = {};
   Refusal refusal = enter(step, x, start);
   if (parts_.settings.givenSteps) parts_.pace.next = dt;
   for (int tries = 0; !refusal && !done; ++tries) {
@@ -39,8 +39,8 @@ Refusal LocatedMotion::advance(MechanicalSystem& s, InclusionSolver& solver, con
         tries < TrialConstants::most ? proceed(step, x.t + dt - from_.x.t, done) : step.stall();
   }
   lastSwitched_ = step.lastSwitched;
-  report.counts.effort.looks += parts_.probe.looks().whole;
-  report.counts.effort.gaps += parts_.probe.looks().gaps;
+  report.counts.effort.looks += parts_.probe.looks.whole;
+  report.counts.effort.gaps += parts_.probe.looks.gaps;
   refusal.passable = refusal.kind == Refusal::Kind::stalled &&
                      (parts_.search.any() || parts_.probe.any() || step.otherSet || refusal.lost);
   return refusal;
@@ -63,6 +63,7 @@ Refusal LocatedMotion::enter(LocatedStep& step, const State& x, const Start& sta
   }
   Refusal refusal;
   parts_.repeated = 0;
+  parts_.probe.flat(parts_.flatHeight());
   if (start.held == nullptr && !start.goesOn)
     refusal = begin(step, x, start.scaled);
   else if (start.goesOn)
@@ -73,6 +74,7 @@ Refusal LocatedMotion::enter(LocatedStep& step, const State& x, const Start& sta
   parts_.search.prepare({.gapNoise = TrialConstants::gapNoise * norm.length(),
                          .speedNoise = TrialConstants::speedNoise * norm.speed(),
                          .touch = parts_.leftOverlap(),
+                         .flat = parts_.flatHeight(),
                          .same = EventContacts::kSame * norm.length()});
   return refusal;
 }
@@ -89,6 +91,7 @@ Refusal LocatedMotion::begin(LocatedStep& step, const State& x, bool scaled) {
     parts_.probe.look(from_.x);
     parts_.norm.start(s, from_.x, 0, settings.accuracy.tolerance, settings.accuracy.length,
                       parts_.probe.gaps().contacts);
+    parts_.probe.flat(parts_.flatHeight());
   }
   parts_.bias.elements(parts_.norm, {});
   motion.step.counted(SmoothStep::kNothing);

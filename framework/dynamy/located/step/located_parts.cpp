@@ -34,6 +34,11 @@ double LocatedParts::passingOverlap() const {
   return MeetingConstants::passing * norm.tolerance() * norm.length();
 }
 
+double LocatedParts::flatHeight() const {
+  return std::max(MeetingConstants::flat * norm.tolerance(), MeetingConstants::leastFlat) *
+         norm.length();
+}
+
 void LocatedStep::book(long StepEffort::*what) {
   report.counts.effort.*what += s.evaluations() - booked;
   booked = s.evaluations();

@@ -33,6 +33,8 @@ struct LocatedParts {
   double leftOverlap() const;
   /// Overlaps inside a step that end before it does are left up to this [m].
   double passingOverlap() const;
+  /// A circle lies flat if no point of its rim is higher above another one [m].
+  double flatHeight() const;
 };
 
 /// The step that is taken at present. Moves from `from` to `to`.

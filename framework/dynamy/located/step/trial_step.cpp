@@ -119,7 +119,8 @@ TrialStep::Tried TrialStep::attempt(LocatedStep& step, bool looked, Trial& trial
   coming_.newTrial();
   if (const Tried tried = findSwitch(step, looked, trial); tried != Tried::accepted) return tried;
   if (trial.found.kind == Switch::Kind::look) return Tried::again;
-  if (coming_.passing() < (trial.found ? trial.found.theta : 1.0) || tooLongAtRest(step, trial))
+  const double until = trial.found ? trial.found.theta : 1.0;
+  if (coming_.passing() < until || parts_.search.passesFlat(until) || tooLongAtRest(step, trial))
     return reject(step, h * TrialConstants::half);
   if (trial.found) motion.step.lighten();
   // The next step does not become shorter because an outer bound shortened this one.

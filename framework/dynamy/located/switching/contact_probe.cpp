@@ -2,12 +2,15 @@
 #include <dynamy/located/switching/contact_probe.hpp>
 
 namespace dynamy {
+
 namespace {
 
-/// Requests exactly these contacts, wherever they are; `near`: others need not be reported.
-ContactRequest following(std::span<const ContactKey> keys, const NearContacts* near) {
+/// Requests exactly these contacts, wherever they are; `near`: others need not be reported. Circles
+/// that are tilted by less than the height `flat` lie flat.
+ContactRequest following(std::span<const ContactKey> keys, const NearContacts* near, double flat) {
   ContactRequest request;
   request.refresh = request.follow = true, request.frozen = keys, request.near = near;
+  request.flat = flat;
   return request;
 }
 
@@ -19,7 +22,7 @@ void ContactProbe::evaluate(const State& x, const ContactRequest& request) {
   gaps_.contacts.clear();
   ContactSink sink(gaps_.contacts, request, parts_->subset);
   reportContacts(*parts_, kinematics_, sink);
-  ++looks_.whole, looks_.gaps += static_cast<long>(gaps_.contacts.candidateKey.size());
+  ++looks.whole, looks.gaps += static_cast<long>(gaps_.contacts.candidateKey.size());
 }
 
 void ContactProbe::prepare(const MechanicalSystem& s, const State& x) {
@@ -35,10 +38,10 @@ void ContactProbe::list(const State& x) {
   };
   const NearContacts none;
   near_ = &none;
-  evaluate(x, following({}, near_));
+  evaluate(x, following({}, near_, flat_));
   othersGather_ = comeOrNoted(gaps_);
   narrow(nullptr);
-  evaluate(x, following({}, near_));
+  evaluate(x, following({}, near_, flat_));
   gathers_ = comeOrNoted(gaps_);
   order_ = gaps_.contacts.candidateKey, all_ = order_, ordered_ = true;
   std::sort(all_.begin(), all_.end());
@@ -58,13 +61,13 @@ bool ContactProbe::gather(const State& x, std::span<const ContactKey> held) {
 }
 
 void ContactProbe::widen(const State& x, double ahead) {
-  ContactRequest request = following({}, near_);
+  ContactRequest request = following({}, near_, flat_);
   request.ahead = ahead;
   const ContactSet& c = gaps_.contacts;
   evaluate(x, request);
   wide_.insert(wide_.end(), c.features.noted.begin(), c.features.noted.end());
   if (const std::span<const ContactKey> unknown = noted_.read(c, all_); !unknown.empty()) {
-    evaluate(x, following(unknown, near_));
+    evaluate(x, following(unknown, near_, flat_));
     noted_.learn(c);
   }
 }
@@ -84,7 +87,7 @@ bool ContactProbe::settle(const State& x) {
   wide_.erase(std::unique(wide_.begin(), wide_.end()), wide_.end());
   if (ordered_ && wide_ == all_) return look(x);
   all_ = wide_;
-  evaluate(x, following(all_, near_));
+  evaluate(x, following(all_, near_, flat_));
   order_ = gaps_.contacts.candidateKey, ordered_ = true;
   std::vector<ContactKey>& found = wide_;
   found = order_;
@@ -100,7 +103,7 @@ void ContactProbe::finish(const State& x) {
 }
 
 bool ContactProbe::look(const State& x) {
-  evaluate(x, following(all_, near_));
+  evaluate(x, following(all_, near_, flat_));
   if (gaps_.contacts.candidateKey != order_) return false;
   finish(x);
   return true;
@@ -108,12 +111,12 @@ bool ContactProbe::look(const State& x) {
 
 bool ContactProbe::lookAt(const QuinticPath& path, double theta, State& x, int i) {
   const ContactKey wanted = gaps_.key(i);
-  ++looks_.gaps;
-  if (!one_.look(path, theta, x, wanted)) {
+  ContactRequest request = following({&wanted, 1}, near_, flat_);
+  request.alone = true;
+  ++looks.gaps;
+  if (!one_.look(path, theta, x, request)) {
     // The element of the contact cannot tell on which frames it depends.
     path.at(theta, x);
-    ContactRequest request = following({&wanted, 1}, near_);
-    request.alone = true;
     kinematics_.evaluate(*parts_->topology, x.t, view(std::as_const(x.q)), view(std::as_const(x.u)),
                          view(std::as_const(x.memory)), parts_->subset);
     one_.report(*parts_, kinematics_, request);

@@ -17,6 +17,8 @@ class ContactProbe {
 
   /// Notes all contacts that are reported at x. A contact that appears later is a fault.
   void prepare(const MechanicalSystem& s, const State& x);
+  /// From now on, circles that are tilted by less than this height lie flat [m].
+  void flat(double height) { flat_ = height; }
   /// Notes all contacts anew, after an element switched, or bodies were removed or added.
   void list(const State& x);
   /// Evaluates all contacts at x; false: they are not those noted before.
@@ -28,7 +30,7 @@ class ContactProbe {
   struct Looks {
     long whole = 0, gaps = 0;
   };
-  Looks& looks() { return looks_; }
+  Looks looks;
   /// All contacts, as of the last look().
   const ContactGaps& gaps() const { return gaps_; }
   /// True: contacts have to be gathered before each step.
@@ -61,7 +63,6 @@ class ContactProbe {
   void finish(const State& x);
   const SystemParts* parts_ = nullptr;
   Kinematics kinematics_;
-  Looks looks_;
   ContactGaps gaps_;
   SingleContact one_;
   std::vector<ContactKey> fixed_;  // contacts that do not come and go
@@ -71,6 +72,7 @@ class ContactProbe {
   bool ordered_ = false;       // order_ is that of contacts as they are followed now
   bool gathers_ = false;       // some contacts come and go, or are noted before they touch
   bool othersGather_ = false;  // so do some of elements that cannot tell which contacts are near
+  double flat_ = 0.0;
   Announcements announcements_;
   std::vector<double> switching_;
 };

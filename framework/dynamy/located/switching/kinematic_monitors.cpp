@@ -3,12 +3,22 @@
 #include <dynamy/located/switching/kinematic_monitors.hpp>
 
 namespace dynamy {
+namespace {
+
+/// An open circle is tilted by more than a closed one that comes to lie flat, by this part of the
+/// height of flat ones.
+constexpr double kTilted = 0.25;
+
+}  // namespace
 
 double KinematicMonitor::value(const ContactProbe& probe) const {
   if (kind == Kind::latch) return -probe.switching()[static_cast<std::size_t>(contact)];
   const ContactGaps& gaps = probe.gaps();
   if (kind == Kind::presence) return gaps.presence(contact);
-  return isGap() ? sign * gaps.gap(contact) + above : sign * gaps.gamma(contact, row);
+  if (!isGap()) return sign * gaps.gamma(contact, row);
+  const double gap = sign * gaps.gap(contact) + above;
+  // The lowest point of a circle that ceases to lie flat closes even if it is below already.
+  return flat > 0.0 ? std::max(gap, kTilted * flat - gaps.presence(contact)) : gap;
 }
 
 void KinematicMonitors::watchOpen(const ContactProbe& probe, const FrozenPhase& phase) {
@@ -20,7 +30,8 @@ void KinematicMonitors::watchOpen(const ContactProbe& probe, const FrozenPhase& 
   for (int i = 0; i < gaps.size(); ++i) {
     if (!gaps.law(i).unilateral() || findHeld(phase.held, gaps.key(i)) != nullptr) continue;
     KinematicMonitor m;
-    m.contact = i, m.key = gaps.key(i), m.features = gaps.comesAndGoes(i);
+    m.contact = i, m.key = gaps.key(i), m.flat = gaps.isOnCircle(i) ? limits_.flat : 0.0;
+    m.features = gaps.comesAndGoes(i) && m.flat == 0.0;
     if (m.features && std::any_of(closed.begin(), closed.end(),
                                   [&](int c) { return gaps.coincide(i, c, limits_.same); }))
       continue;
@@ -50,6 +61,7 @@ void KinematicMonitors::watchHeld(const ContactProbe& probe, const FrozenPhase& 
     }
     if (h.first != 0 || m.contact < 0 || !gaps.comesAndGoes(m.contact)) continue;
     m.kind = Kind::presence, m.row = 0, m.sign = 1.0;
+    m.flat = gaps.isOnCircle(m.contact) ? limits_.flat : 0.0;
     monitors_.push_back(m);
   }
 }

@@ -15,6 +15,7 @@ constexpr double kNearRoot = 0.02;
 constexpr double kFarFromRoot = 5.0;          ///< times as much: no minimum is searched there
 constexpr double kMinimum = 1e-5;             ///< accuracy of the place of a minimum, of the step
 constexpr double kRoughSamples = 0.3;         ///< deviation between samples, of the range
+constexpr double kMostTilt = 0.5;             ///< change of a circle's tilt between samples, of it
 constexpr double kBetweenSamples = 0.381966;  ///< place between two samples: no simple fraction
 
 }  // namespace
@@ -64,6 +65,22 @@ bool KinematicSearch::valueAt(ContactProbe& probe, const QuinticPath& path, int 
   }
   v = k.value(probe);
   return true;
+}
+
+// The direction of the lowest point turns by less than the relative change of the tilt.
+bool KinematicSearch::passesFlat(double theta) const {
+  for (int m = 0; m < monitors.size(); ++m) {
+    if (monitors[m].flat == 0.0 || monitors[m].isGap()) continue;
+    const double lowest = ContactSink::kLowest * monitors[m].flat;
+    const auto row = values_.row(m);
+    for (int j = 1; j <= kSamples && j - 1 < theta * kSamples; ++j) {
+      if (row[j] <= 0.0) break;  // it lies flat: a switch
+      if (std::max(row[j], row[j - 1]) >= FollowedFeatures::kAlways) continue;  // far from flat
+      const double change = std::abs(row[j] - row[j - 1]);
+      if (change > kMostTilt * (std::min(row[j], row[j - 1]) + lowest)) return true;
+    }
+  }
+  return false;
 }
 
 bool KinematicSearch::roughSamples() const {

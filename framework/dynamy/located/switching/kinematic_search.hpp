@@ -21,6 +21,8 @@ class KinematicSearch {
   /// Finds the first switch of the samples before `first`, which it replaces. `looked`: gaps that
   /// come near zero between two samples are not examined. False: contacts changed.
   bool find(ContactProbe& probe, const QuinticPath& path, bool looked, Switch& first);
+  /// True: before θ the lowest point of a closed circle may run along its rim between two samples.
+  bool passesFlat(double theta) const;
   /// True: the samples themselves show that they do not resolve the path.
   bool roughSamples() const;
   /// True: values between the samples of the last path deviate from them, or are not known.

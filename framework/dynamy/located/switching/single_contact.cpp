@@ -7,7 +7,8 @@ void SingleContact::prepare(const SystemParts& parts) {
   kinematics_.resize(*parts.topology);
 }
 
-bool SingleContact::look(const QuinticPath& path, double theta, State& x, ContactKey key) {
+bool SingleContact::look(const QuinticPath& path, double theta, State& x, ContactRequest request) {
+  const ContactKey key = request.frozen.front();
   const NonSmoothElement& element = *parts_->contacts[static_cast<std::size_t>(key.value >> 40)];
   frames_.clear();
   if (!element.framesOf(contactNumber(key), frames_)) return false;
@@ -15,8 +16,7 @@ bool SingleContact::look(const QuinticPath& path, double theta, State& x, Contac
   const State& at = x;
   kinematics_.evaluate(*parts_->topology, at.t, view(at.q), view(at.u), view(at.memory),
                        parts_->subset, frames_);
-  ContactRequest request;
-  request.refresh = request.follow = request.alone = true, request.frozen = {&key, 1};
+  request.near = nullptr;
   report(*parts_, kinematics_, request);
   return true;
 }

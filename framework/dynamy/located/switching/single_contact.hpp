@@ -10,9 +10,9 @@ namespace dynamy {
 class SingleContact {
  public:
   void prepare(const SystemParts& parts);
-  /// Evaluates contact `key` at θ of the path. Of x, only what the contact depends on is set.
-  /// False: its element cannot tell what this is.
-  bool look(const QuinticPath& path, double theta, State& x, ContactKey key);
+  /// Evaluates the one contact that is requested by key at θ of the path. Of x, only what the
+  /// contact depends on is set. False: its element cannot tell what this is.
+  bool look(const QuinticPath& path, double theta, State& x, ContactRequest request);
   /// Asks the element of the contact that was requested by key, at k.
   void report(const SystemParts& parts, const Kinematics& k, const ContactRequest& request);
   /// Gives gap, presence and γ at the velocities u to contact i of `gaps`. False: the contact that

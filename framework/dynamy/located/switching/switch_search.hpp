@@ -51,6 +51,8 @@ class SwitchSearch {
   bool any() const { return kinematic_.monitors.any() || force_.any(); }
   /// True: find() evaluates forces, and leaves those of its last look in the phase.
   bool looksAtForces() const { return force_.any(); }
+  /// True: before θ on the path a circle rolls past lying flat faster than the samples resolve.
+  bool passesFlat(double theta) const { return kinematic_.passesFlat(theta); }
   /// Notes the forces at the end of the path, time t; to be called before find().
   void atEnd(const FrozenPhase& phase, double t) { force_.atEnd(phase, t); }
   /// Forgets all noted forces, because statuses have changed.
