@@ -77,6 +77,9 @@ struct ContactRequest {
   double ahead = -1.0;
   /// With follow: a circle on whose rim one point is less above another one lies flat [m].
   double flat = 0.0;
+  /// With follow: contacts in `frozen` that are not there are reported as open, with a presence
+  /// below zero and without rows.
+  bool absent = false;
   /// With follow: contacts outside of these need not be reported; null: all are.
   const NearContacts* near = nullptr;
 };
@@ -103,6 +106,14 @@ class ContactSink {
   }
   /// Keys of the element's contacts `first` … `end` − 1 that are requested by key.
   std::span<const ContactKey> asked(std::uint64_t first, std::uint64_t end) const;
+  /// A sink for contacts of the same element, which are put into `set`.
+  ContactSink into(ContactSet& set, const ContactRequest& request) const {
+    ContactSink out(set, request, some_);
+    out.element_ = element_;
+    return out;
+  }
+  /// Reports contact i of `from`, which such a sink has filled.
+  void add(const ContactSet& from, int i, int geometric);
   /// Sets the presence of the contact that was added last [m].
   void presence(double value) { set_->features.presence.back() = value; }
   /// The same for the lowest point of a circle that is tilted by the height `lift` [m].
@@ -113,6 +124,12 @@ class ContactSink {
   /// Reports two bodies whose contacts come and go; overlap(): the depth of their overlap [m].
   void comesAndGoes() { set_->features.comeAndGo = true; }
   void overlap(double depth) { set_->features.overlap = std::max(set_->features.overlap, depth); }
+  /// overlap() of two bodies with contact `id`, whose contacts jump.
+  void overlap(double depth, std::uint64_t id) {
+    overlap(depth);
+    FollowedFeatures& f = set_->features;
+    if (depth > f.jumpingOverlap) f.jumpingOverlap = depth, f.jumping = contactKey(element_, id);
+  }
   /// True: contacts are requested by key, and contact `id` of this element is not among them.
   bool leftOut(std::uint64_t id) const {
     return request_.refresh && !std::binary_search(request_.frozen.begin(), request_.frozen.end(),

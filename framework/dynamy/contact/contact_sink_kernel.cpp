@@ -51,6 +51,24 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   return {c, index, request_.bias, some_};
 }
 
+void ContactSink::add(const ContactSet& from, int i, int geometric) {
+  const auto at = static_cast<std::size_t>(i), row0 = static_cast<std::size_t>(from.row0[at]);
+  ContactRows rows =
+      add(contactNumber(from.key[at]), from.position[row0], *from.law[at], geometric);
+  if (!rows) return;
+  for (int r = 0; r < rows.dim(); ++r) {
+    rows.chi(r) = from.chi[row0 + static_cast<std::size_t>(r)];
+    if (rows.wantsBias()) rows.bias(r) = from.bias[row0 + static_cast<std::size_t>(r)];
+  }
+  for (int k = from.segment0[at]; k < from.segment0[at + 1]; ++k) {
+    const Segment& s = from.segment[static_cast<std::size_t>(k)];
+    rows.segment(BlockPlace{s.block, s.u0, s.nu}) =
+        ConstBlock(from.W.data() + s.w, rows.dim(), s.nu);
+  }
+  const ContactPlaces& p = from.places;
+  rows.place(p.point[at], p.normal[at], p.t1[at], p.t2[at]);
+}
+
 std::span<const ContactKey> ContactSink::asked(std::uint64_t first, std::uint64_t end) const {
   const std::span<const ContactKey> all = request_.frozen;
   const auto from = std::lower_bound(all.begin(), all.end(), contactKey(element_, first));

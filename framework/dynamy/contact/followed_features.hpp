@@ -20,10 +20,14 @@ struct FollowedFeatures {
   bool comeAndGo = false;         ///< some contacts here come and go with the features that touch
   /// Deepest overlap of bodies whose contacts come and go [m]; −∞: there are none.
   double overlap = 0.0;
+  /// Of bodies whose contacts jump, so that they cannot be followed while they touch: deepest overlap
+  /// [m], and a contact of theirs.
+  double jumpingOverlap = 0.0;
+  ContactKey jumping{};
 
   void clear() {
     presence.clear(), circle.clear(), noted.clear(), comeAndGo = false;
-    overlap = -std::numeric_limits<double>::infinity();
+    overlap = jumpingOverlap = -std::numeric_limits<double>::infinity();
   }
 };
 

@@ -84,13 +84,42 @@ void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPoly
   followBodies(report, a, b);
 }
 
+void reportAsked(PairReport& report, std::span<const ContactKey> asked) {
+  ContactSink& sink = report.sink();
+  sink.comesAndGoes();
+  ContactRequest those = sink.request();
+  those.frozen = asked;
+  ContactSet found;
+  found.clear();
+  ContactSink into = sink.into(found, those);
+  PairReport listing(report, std::numeric_limits<double>::infinity(), into);
+  const PairRule& rule = report.rule();
+  rule.kernel->contacts(listing);
+  const PosedPair& pair = report.pair();
+  double size = std::min(pair.a.thickness, pair.b.thickness);
+  if (!(size > 0.0)) size = std::min(pair.a.bound, pair.b.bound);  // of a thin shape
+  // Bodies near each other of which no contact is known cannot be followed.
+  if (found.candidateKey.empty() && rule.kernel->gap(pair, 0) <= kNear * size) return;
+  for (const ContactKey key : asked) {
+    const auto at = std::find(found.key.begin(), found.key.end(), key);
+    if (at != found.key.end())
+      sink.add(found, static_cast<int>(at - found.key.begin()), rule.rows);
+    else
+      sink.add(contactNumber(key), size, *rule.law, rule.rows);
+    sink.presence(at != found.key.end() ? size : -size);
+  }
+}
+
 void watch(PairReport& report) {
   const std::uint64_t id = report.id();
   const PairKernel& kernel = *report.rule().kernel;
   ContactSink& sink = report.sink();
-  if (!sink.asked(id, id + report.rule().features).empty()) kernel.contacts(report);
+  const std::span<const ContactKey> asked = sink.asked(id, id + report.rule().features);
+  const bool jumps = report.rule().following == Following::jumping && sink.request().absent;
+  if (!asked.empty()) jumps ? reportAsked(report, asked) : kernel.contacts(report);
   if (!mayClose(report)) return;
   if (sink.request().ahead < 0.0) return sink.note(id);
+  if (jumps) sink.comesAndGoes(), sink.overlap(-kernel.gap(report.pair(), 0), id);
   ContactRequest all;
   all.refresh = true;
   ContactSet found;

@@ -119,6 +119,7 @@ void ShapeContacts::report(const TouchingPair& pair, Look look, const Kinematics
   if (rule.following == Following::pairwise) return rule.kernel->follow(to);
   const bool noted =
       rule.following == Following::jumping || (rule.following == Following::searched && !few);
+  if (rule.following == Following::jumping && sink.request().absent) return watch(to);
   return noted && look == Look::ahead ? watch(to) : rule.kernel->contacts(to);
 }
 

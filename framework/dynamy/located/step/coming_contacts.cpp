@@ -101,12 +101,16 @@ bool ComingContacts::widenAlong(const State& from, const QuinticPath& path) {
     return false;
   }
   // Bodies may come near between two samples and part again: find the nearest place.
-  for (std::size_t j = 1; j < n; ++j) {
-    const double here = depths[j], fall = std::max(here - depths[j - 1], here - depths[j + 1]);
-    if (here < depths[j - 1] || here <= depths[j + 1] || here > deep || here + fall < 0.0) continue;
+  for (std::size_t j = 0; j < n; ++j) {
+    // Bodies that touch at the start part from there on.
+    if (j == 0 && !(depths[0] < -parts_.leftOverlap())) continue;
+    const std::size_t before = j > 0 ? j - 1 : 0;
+    const double here = depths[j], fall = std::max(here - depths[before], here - depths[j + 1]);
+    if (here < depths[before] || here <= depths[j + 1] || here > deep || here + fall < 0.0)
+      continue;
     std::uintmax_t looks = MeetingConstants::looks;
     boost::math::tools::brent_find_minima(
-        [&](double theta) { return -depth(theta); }, static_cast<double>(j - 1) / n,
+        [&](double theta) { return -depth(theta); }, static_cast<double>(before) / n,
         static_cast<double>(j + 1) / n, MeetingConstants::nearestBits, looks);
   }
   if (probe.settle(from) && parts_.search.watch(probe, parts_.motion.phase, from)) return true;

@@ -31,6 +31,10 @@ class ComingContacts {
   void newTrial() { clear_ = passing_ = 1.0; }
   /// True: bodies whose contacts come and go overlap more at x than at the start of the trial.
   bool sinks(const State& x);
+  /// Of those bodies, a contact of two whose contacts jump; kNoContact: there are none.
+  ContactKey sunk() const {
+    return parts_.probe.noted().jumping(startOverlap_ + parts_.leftOverlap());
+  }
   /// True: an open contact penetrates at x.
   bool closesOpen(const State& x);
 

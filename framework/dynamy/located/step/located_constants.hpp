@@ -39,7 +39,8 @@ struct RootConstants {
   static constexpr int mostMoves = 8;     ///< iterations of Newton's method
   static constexpr double taylor = 0.01;  ///< (d/h)³ over the tolerance, for Taylor's polynomial
   static constexpr double denseShare = 0.1;  ///< largest d/h for the dense output
-  static constexpr double farthest = 0.5;    ///< d/h above which the root is not of this step
+  static constexpr double farthest = 0.5;    ///< d/h above which the root is not of this step,
+  static constexpr double jump = 1e-2;       ///< and above which the gap of two features has jumped
 };
 
 /// Slip in space (theory 20.6).

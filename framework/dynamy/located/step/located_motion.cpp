@@ -169,7 +169,9 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
   if (coming_.sinks(to_.x)) {
     record_.works = before;
     trials_.drop(step, trial.h);
-    return {};
+    const bool longEnough = parts_.pace.next > MeetingConstants::atMeeting * parts_.norm.time();
+    const ContactKey sunk = coming_.sunk();
+    return longEnough || sunk == kNoContact ? Refusal{} : step.lose(sunk);
   }
   return finish(step, trial, {most, announced, end, longest < most && trial.h == longest}, done);
 }

@@ -35,6 +35,8 @@ Refusal StepToRoot::polish(LocatedStep& step, double h, const Switch& w) {
   // Another value of a gap costs next to nothing, one of a force costs an evaluation.
   const double tolerance = parts_.norm.tolerance();
   const double near = w.force ? std::min(1e-8, 0.01 * tolerance) : 1e-15;
+  const double farthest =
+      parts_.search.isOfFeatures(w) ? RootConstants::jump : RootConstants::farthest;
   bool known = true;
   known_ = to;
   for (int i = 0; i < RootConstants::mostMoves; ++i) {
@@ -47,7 +49,7 @@ Refusal StepToRoot::polish(LocatedStep& step, double h, const Switch& w) {
     }
     if (!(slope < 0.0)) break;  // grazing: the switch is where the search found it
     const double d = -value / slope;
-    if (std::abs(d) <= near * h || std::abs(d) > RootConstants::farthest * h) break;
+    if (std::abs(d) <= near * h || std::abs(d) > farthest * h) break;
     last = value, moved = d;
     if (Refusal r = move(step, h, d, known)) return r;
     if (w.force && !known)

@@ -10,7 +10,7 @@ namespace {
 ContactRequest following(std::span<const ContactKey> keys, const NearContacts* near, double flat) {
   ContactRequest request;
   request.refresh = request.follow = true, request.frozen = keys, request.near = near;
-  request.flat = flat;
+  request.flat = flat, request.absent = true;
   return request;
 }
 

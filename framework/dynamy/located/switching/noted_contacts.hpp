@@ -22,12 +22,16 @@ class NotedContacts {
   bool fresh() const { return fresh_; }
   /// How deep bodies whose contacts come and go overlap [m].
   double overlap() const { return overlap_; }
+  /// A contact of bodies whose contacts jump that overlap by more than `depth` [m]; kNoContact: there
+  /// are none.
+  ContactKey jumping(double depth) const { return jumpingOverlap_ > depth ? jumping_ : kNoContact; }
 
  private:
   std::vector<ContactKey> noted_, unknown_;
   std::vector<ContactKey> reported_, unreported_;  // of all noted so far, ascending
   bool fresh_ = false;
-  double overlap_ = 0.0;
+  double overlap_ = 0.0, jumpingOverlap_ = 0.0;
+  ContactKey jumping_;
 };
 
 }  // namespace dynamy

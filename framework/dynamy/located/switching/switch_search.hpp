@@ -43,6 +43,10 @@ class SwitchSearch {
   bool latches(const Switch& w) const { return is(w, KinematicMonitor::Kind::latch); }
   /// True: two features of a closed contact leave one another there.
   bool leaves(const Switch& w) const { return is(w, KinematicMonitor::Kind::presence); }
+  /// True: the gap of two features that come and go.
+  bool isOfFeatures(const Switch& w) const {
+    return w && !w.force && kinematic_.monitors[w.monitor].features;
+  }
   /// True: there are open contacts.
   bool gaps() const { return kinematic_.monitors.gaps(); }
   /// True: forces or slips on the last path, from one state at rest to another, change faster than
