@@ -75,7 +75,7 @@ struct ContactRequest {
   bool follow = false;
   /// With follow: pairs of features that may touch within this time are noted [s]; below 0: none.
   double ahead = -1.0;
-  /// With follow: a circle on whose rim one point is less above another one lies flat [m].
+  /// With follow: a circle whose lowest point is less than this below its middle lies flat [m].
   double flat = 0.0;
   /// With follow: contacts in `frozen` that are not there are reported as open, with a presence
   /// below zero and without rows.
@@ -116,7 +116,7 @@ class ContactSink {
   void add(const ContactSet& from, int i, int geometric);
   /// Sets the presence of the contact that was added last [m].
   void presence(double value) { set_->features.presence.back() = value; }
-  /// The same for the lowest point of a circle that is tilted by the height `lift` [m].
+  /// The same for the lowest point of a circle, which is `lift` below its middle [m].
   void circle(double lift) {
     presence(lift - kLowest * request_.flat), set_->features.circle.back() = 1;
   }

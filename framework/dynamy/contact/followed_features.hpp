@@ -14,7 +14,7 @@ struct FollowedFeatures {
   /// where they cease to do so; kAlways: the contact does not come and go.
   std::vector<double> presence;
   /// Per closed contact: not 0 for the lowest point of a circle that is tilted little, whose presence
-  /// is by how much it is tilted more than a flat one.
+  /// is by how much it is further below its middle than that of a flat circle.
   std::vector<char> circle;
   std::vector<ContactKey> noted;  ///< pairs that may touch soon
   bool comeAndGo = false;         ///< some contacts here come and go with the features that touch
@@ -25,6 +25,9 @@ struct FollowedFeatures {
   double jumpingOverlap = 0.0;
   ContactKey jumping{};
 
+  bool isOnCircle(int i) const {
+    return static_cast<std::size_t>(i) < circle.size() && circle[static_cast<std::size_t>(i)] != 0;
+  }
   void clear() {
     presence.clear(), circle.clear(), noted.clear(), comeAndGo = false;
     overlap = jumpingOverlap = -std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/kernels/follow_pairs.hpp>
 #include <dynamy_elements/contacts/pairs/feature_pairs.hpp>
 #include <dynamy_elements/contacts/pairs/seen_apart.hpp>
@@ -31,20 +32,47 @@ bool farApart(const PosedPair& pair, double reach) {
   return way.norm() > a.bound + b.bound + reach;
 }
 
-/// Can the gap of the pair close within the time that is looked ahead? In a listing, where nothing
-/// is requested by key, always true.
-bool mayClose(const PairReport& report) {
-  const ContactRequest& request = report.request();
-  if (request.ahead < 0.0) return request.frozen.empty();
+/// Gap of the pair, infinite if it cannot close within the time that is looked ahead.
+double closingGap(const PairReport& report) {
   const PosedPair& pair = report.pair();
-  const double reach = movesWithin(pair, request.ahead).reach;
-  if (farApart(pair, reach)) return false;
+  const double reach = movesWithin(pair, report.request().ahead).reach;
+  if (farApart(pair, reach)) return kInfinity;
   // If `reach` is beyond the bodies' bounds, surfaces count as near whatever their gap is.
   const double bound = std::min(pair.a.bound, pair.b.bound);
   const bool small = reach < bound && report.rule().plane == 0;
-  if (small && seenApart(pair.a, pair.b, pair.A, pair.B, reach)) return false;
+  if (small && seenApart(pair.a, pair.b, pair.A, pair.B, reach)) return kInfinity;
   // Contacts on surfaces are found up to the smaller of the two bounds only.
-  return std::min(report.rule().kernel->gap(pair, 0), bound) <= reach;
+  const double gap = report.rule().kernel->gap(pair, 0);
+  if (std::min(gap, bound) > reach) return kInfinity;
+  return gap;
+}
+
+/// Reports the contacts `asked` of a pair whose contacts jump, in this order: contacts that the
+/// kernel does not find there are absent.
+void reportAsked(PairReport& report, std::span<const ContactKey> asked) {
+  ContactSink& sink = report.sink();
+  sink.comesAndGoes();
+  ContactRequest those = sink.request();
+  those.frozen = asked;
+  ContactSet found;
+  found.clear();
+  ContactSink into = sink.into(found, those);
+  PairReport listing(report, kInfinity, into);
+  const PairRule& rule = report.rule();
+  rule.kernel->contacts(listing);
+  const PosedPair& pair = report.pair();
+  double size = std::min(pair.a.thickness, pair.b.thickness);
+  if (!(size > 0.0)) size = std::min(pair.a.bound, pair.b.bound);  // of a thin shape
+  // Bodies near each other of which no contact is known cannot be followed.
+  if (found.candidateKey.empty() && rule.kernel->gap(pair, 0) <= kNear * size) return;
+  for (const ContactKey key : asked) {
+    const auto at = std::find(found.key.begin(), found.key.end(), key);
+    if (at != found.key.end())
+      sink.add(found, static_cast<int>(at - found.key.begin()), rule.rows);
+    else
+      sink.add(contactNumber(key), size, *rule.law, rule.rows);
+    sink.presence(at != found.key.end() ? size : -size);
+  }
 }
 
 template <class Body>
@@ -84,47 +112,26 @@ void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPoly
   followBodies(report, a, b);
 }
 
-void reportAsked(PairReport& report, std::span<const ContactKey> asked) {
-  ContactSink& sink = report.sink();
-  sink.comesAndGoes();
-  ContactRequest those = sink.request();
-  those.frozen = asked;
-  ContactSet found;
-  found.clear();
-  ContactSink into = sink.into(found, those);
-  PairReport listing(report, std::numeric_limits<double>::infinity(), into);
-  const PairRule& rule = report.rule();
-  rule.kernel->contacts(listing);
-  const PosedPair& pair = report.pair();
-  double size = std::min(pair.a.thickness, pair.b.thickness);
-  if (!(size > 0.0)) size = std::min(pair.a.bound, pair.b.bound);  // of a thin shape
-  // Bodies near each other of which no contact is known cannot be followed.
-  if (found.candidateKey.empty() && rule.kernel->gap(pair, 0) <= kNear * size) return;
-  for (const ContactKey key : asked) {
-    const auto at = std::find(found.key.begin(), found.key.end(), key);
-    if (at != found.key.end())
-      sink.add(found, static_cast<int>(at - found.key.begin()), rule.rows);
-    else
-      sink.add(contactNumber(key), size, *rule.law, rule.rows);
-    sink.presence(at != found.key.end() ? size : -size);
-  }
-}
-
 void watch(PairReport& report) {
   const std::uint64_t id = report.id();
   const PairKernel& kernel = *report.rule().kernel;
   ContactSink& sink = report.sink();
+  const ContactRequest& request = sink.request();
   const std::span<const ContactKey> asked = sink.asked(id, id + report.rule().features);
-  const bool jumps = report.rule().following == Following::jumping && sink.request().absent;
+  const bool jumps = report.rule().following == Following::jumping && request.absent;
   if (!asked.empty()) jumps ? reportAsked(report, asked) : kernel.contacts(report);
-  if (!mayClose(report)) return;
-  if (sink.request().ahead < 0.0) return sink.note(id);
-  if (jumps) sink.comesAndGoes(), sink.overlap(-kernel.gap(report.pair(), 0), id);
+  if (request.ahead < 0.0) {
+    if (request.frozen.empty()) sink.note(id);  // a listing
+    return;
+  }
+  const double gap = closingGap(report);
+  if (gap == kInfinity) return;
+  if (jumps) sink.comesAndGoes(), sink.overlap(-gap, id);
   ContactRequest all;
   all.refresh = true;
   ContactSet found;
   ContactSink into(found, all);
-  PairReport listing(report, std::numeric_limits<double>::infinity(), into);
+  PairReport listing(report, kInfinity, into);
   kernel.contacts(listing);
   for (const ContactKey key : found.candidateKey) sink.note(contactNumber(key));
   // The key of the pair itself has no contact: the pair is near, but nothing of it can be followed.

@@ -12,12 +12,9 @@ namespace dynamy {
 void followFeatures(PairReport& report, const PlacedPolyhedron& a, const PlacedPolyhedron& b);
 void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPolygon& b);
 
-/// Reports the contacts `asked` of a pair whose contacts jump, in this order; those that are not
-/// there as absent.
-void reportAsked(PairReport& report, std::span<const ContactKey> asked);
-
 /// Reports the contacts of the pair if some of them are requested by key, and notes its contacts if
-/// they may close.
+/// they may close. Of a pair whose contacts jump exactly those that are requested are reported, also
+/// as absent (ContactRequest::absent), and its overlap.
 void watch(PairReport& report);
 
 /// A rim over a half space is followed as its lowest point, and, where it lies flat, as four of its

@@ -117,10 +117,10 @@ void ShapeContacts::report(const TouchingPair& pair, Look look, const Kinematics
     return;
   }
   if (rule.following == Following::pairwise) return rule.kernel->follow(to);
-  const bool noted =
-      rule.following == Following::jumping || (rule.following == Following::searched && !few);
-  if (rule.following == Following::jumping && sink.request().absent) return watch(to);
-  return noted && look == Look::ahead ? watch(to) : rule.kernel->contacts(to);
+  const bool jumps = rule.following == Following::jumping,
+             noted = jumps || (rule.following == Following::searched && !few),
+             watches = look == Look::ahead || (jumps && sink.request().absent);
+  return noted && watches ? watch(to) : rule.kernel->contacts(to);
 }
 
 void addShapeContacts(Model& model) {

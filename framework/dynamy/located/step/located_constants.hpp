@@ -67,7 +67,7 @@ struct BiasConstants {
 
 /// Contacts that come and go with the features of bodies (theory 50.9).
 struct MeetingConstants {
-  /// Height over which a circle is tilted that still lies flat: of tol L, and at least of L.
+  /// Of tol L, and at least of L: a circle whose lowest point is less below its middle lies flat.
   static constexpr double flat = 0.05, leastFlat = 1e-10;
   static constexpr double left = 1e-3;     ///< of tol L: overlaps that are left as they are
   static constexpr double passing = 10.0;  ///< of tol L: overlaps inside a step

@@ -33,7 +33,7 @@ struct LocatedParts {
   double leftOverlap() const;
   /// Overlaps inside a step that end before it does are left up to this [m].
   double passingOverlap() const;
-  /// A circle lies flat if no point of its rim is higher above another one [m].
+  /// A circle whose lowest point is less than this below its middle lies flat [m].
   double flatHeight() const;
 };
 

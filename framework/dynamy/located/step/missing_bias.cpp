@@ -148,7 +148,7 @@ int MissingBias::firstWrong(const MechanicalSystem& s, const PhasePoint& p, cons
   const double rounding = BiasConstants::roundings * std::numeric_limits<double>::epsilon() / d;
   for (int i = 0; i < c.size(); ++i) {
     // The lowest point of a circle may run around it within d.
-    if (c.features.circle[static_cast<std::size_t>(i)] != 0) continue;
+    if (c.features.isOnCircle(i)) continue;
     const int row0 = c.row0[static_cast<std::size_t>(i)], end = row0 + c.dim(i);
     double speed = 0.0;
     for (int r = row0; r < end; ++r)

@@ -29,9 +29,7 @@ struct ContactGaps {
   bool comeAndGo() const { return contacts.features.comeAndGo; }
   bool comesAndGoes(int i) const { return presence(i) < FollowedFeatures::kAlways; }
   /// True: contact i is the lowest point of a circle that is tilted little.
-  bool isOnCircle(int i) const {
-    return contacts.features.circle[static_cast<std::size_t>(i)] != 0;
-  }
+  bool isOnCircle(int i) const { return contacts.features.isOnCircle(i); }
   /// True: contacts i and j, which come and go, are at one place with one normal.
   bool coincide(int i, int j, double distance) const;
   /// Takes gap, presence and γ of contact i from contact j of `other`; false: it has other rows.

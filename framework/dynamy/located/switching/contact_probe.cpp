@@ -5,8 +5,8 @@ namespace dynamy {
 
 namespace {
 
-/// Requests exactly these contacts, wherever they are; `near`: others need not be reported. Circles
-/// that are tilted by less than the height `flat` lie flat.
+/// Requests exactly these contacts, wherever they are; `near`: others need not be reported. `flat`:
+/// ContactRequest::flat.
 ContactRequest following(std::span<const ContactKey> keys, const NearContacts* near, double flat) {
   ContactRequest request;
   request.refresh = request.follow = true, request.frozen = keys, request.near = near;

@@ -17,7 +17,7 @@ class ContactProbe {
 
   /// Notes all contacts that are reported at x. A contact that appears later is a fault.
   void prepare(const MechanicalSystem& s, const State& x);
-  /// From now on, circles that are tilted by less than this height lie flat [m].
+  /// From now on, circles whose lowest point is less than `height` below their middle lie flat [m].
   void flat(double height) { flat_ = height; }
   /// Notes all contacts anew, after an element switched, or bodies were removed or added.
   void list(const State& x);

@@ -16,7 +16,7 @@ struct MonitorLimits {
   double gapNoise = 0.0;    ///< of gaps [m]
   double speedNoise = 0.0;  ///< of velocities [m/s]
   double touch = 0.0;       ///< bodies lie on each other at gaps and overlaps up to this [m]
-  double flat = 0.0;        ///< circles that are tilted by less lie flat [m]
+  double flat = 0.0;        ///< circles with the lowest point less below the middle lie flat [m]
   double same = 0.0;        ///< nearer contacts of one pair of bodies count as one [m]
 };
 
@@ -27,7 +27,7 @@ struct KinematicMonitor {
   double sign = 1.0;
   ContactKey key = {};
   bool features = false;  ///< a gap of two features that come and go
-  /// Of the lowest point of a circle that is tilted little: height of flat ones [m]; else 0.
+  /// Of the lowest point of a circle that is tilted little: MonitorLimits::flat; else 0.
   double flat = 0.0;
   bool behind = false;     ///< such a gap that starts below zero
   double above = 0.0;      ///< added to the gap of a contact that joints bear
