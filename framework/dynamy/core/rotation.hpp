@@ -7,6 +7,7 @@
 #pragma once
 #include <cmath>
 #include <dynamy/core/types.hpp>
+#include <limits>
 
 namespace dynamy {
 
@@ -23,13 +24,20 @@ inline Mat3 skew(const Vec3& a) {
   return S;
 }
 
-/// Matrix A_IK of the unit quaternion p (w, x, y, z): v_I = A_IK v_K.
+/// Quaternions whose squared norm is this near to 1 are unit ones: rounding of their products.
+inline constexpr double kUnitNorm = 4.0 * std::numeric_limits<double>::epsilon();
+
+/// Matrix A_IK of the quaternion p (w, x, y, z): v_I = A_IK v_K. It is a rotation for every p ≠ 0:
+/// stages of a step have quaternions whose norm is 1 up to the error of the step. p = 0: identity.
 inline Mat3 rotationMatrix(const double* p) {
   const double w = p[0], x = p[1], y = p[2], z = p[3];
+  const double square = w * w + x * x + y * y + z * z;
+  const bool unit = std::abs(square - 1.0) < kUnitNorm || square == 0.0;
+  const double k = unit ? 2.0 : 2.0 / square;
   Mat3 A;
-  A << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),  //
-      2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),   //
-      2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y);
+  A << 1 - k * (y * y + z * z), k * (x * y - w * z), k * (x * z + w * y),  //
+      k * (x * y + w * z), 1 - k * (x * x + z * z), k * (y * z - w * x),   //
+      k * (x * z - w * y), k * (y * z + w * x), 1 - k * (x * x + y * y);
   return A;
 }
 

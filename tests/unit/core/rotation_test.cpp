@@ -1,4 +1,4 @@
-// Tangents of a contact: a frame, and the same one a rounding later.
+// Tangents of a contact: a frame, and the same one a rounding later. Matrices of quaternions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,6 +42,25 @@ TEST(Tangents, OfBallsInOneLayerDoNotJumpWithARounding) {
     EXPECT_LE((up1 - down1).norm(), 4.0 * off + 1e-15);
     EXPECT_LE((up2 - down2).norm(), 4.0 * off + 1e-15);
   }
+}
+
+TEST(RotationMatrix, IsARotationForQuaternionsOfAnyNorm) {
+  // As they occur at the stages of a step; it is that of the unit quaternion along them.
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const double norm : {1.0, 1.0 + 1e-15, 1.0 - 1e-9, 1.0 + 1e-6, 1.001, 0.3, 2.0}) {
+    Eigen::Vector4d p(uniform(random), uniform(random), uniform(random), uniform(random));
+    p.normalize();
+    const Mat3 ofUnit = rotationMatrix(p.data());
+    p *= norm;
+    const Mat3 A = rotationMatrix(p.data());
+    // Sums of four products of parts up to 1, and 2/|p|².
+    EXPECT_LE((A.transpose() * A - Mat3::Identity()).cwiseAbs().maxCoeff(), 1e-14) << norm;
+    EXPECT_LE((A - ofUnit).cwiseAbs().maxCoeff(), 1e-14) << norm;
+  }
+  // That of a body that is not there, as an absent grain.
+  const Eigen::Vector4d none = Eigen::Vector4d::Zero();
+  EXPECT_EQ(rotationMatrix(none.data()), Mat3::Identity());
 }
 
 }  // namespace
