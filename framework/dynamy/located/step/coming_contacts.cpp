@@ -105,9 +105,11 @@ bool ComingContacts::widenAlong(const State& from, const QuinticPath& path) {
     // Bodies that touch at the start part from there on.
     if (j == 0 && !(depths[0] < -parts_.leftOverlap())) continue;
     const std::size_t before = j > 0 ? j - 1 : 0;
-    const double here = depths[j], fall = std::max(here - depths[before], here - depths[j + 1]);
-    if (here < depths[before] || here <= depths[j + 1] || here > deep || here + fall < 0.0)
-      continue;
+    const double here = depths[j], after = depths[j + 1];
+    // Before the start nothing is known: the change that follows tells of the one before.
+    const double left = j > 0 ? here - depths[before] : after - depths[2];
+    const double fall = std::max(left, here - after);
+    if (here < depths[before] || here <= after || here > deep || here + fall < 0.0) continue;
     std::uintmax_t looks = MeetingConstants::looks;
     boost::math::tools::brent_find_minima(
         [&](double theta) { return -depth(theta); }, static_cast<double>(before) / n,
