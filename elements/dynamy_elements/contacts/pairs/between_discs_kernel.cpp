@@ -22,6 +22,8 @@ constexpr int kDiscSteps = 50;
 /// A step of Newton's method this short is the last: its error is its square times at most the inverse
 /// of the angle to a ridge.
 constexpr double kLastDiscStep = 1e-12;
+/// Sine between two planes or tangents below which their cross product is mostly rounding.
+constexpr double kLeastCross = 1e-8;
 
 /// Directions on the half of the sphere around z, evenly spread on a spiral.
 std::array<Vec3, kGrid> directions() {
@@ -93,6 +95,36 @@ class DiscSearch {
         else if (start[i][j].f > -kInfinity)
           take(between(i, j, start[i][j].n));
     besideCap(A_, B_, 1.0), besideCap(B_, A_, -1.0);
+    if (A_.r > 0.0 || B_.r > 0.0) return;
+    for (int i = 0; i < A_.rims(); ++i)
+      for (int j = 0; j < B_.rims(); ++j)
+        if (A_.radius(i) > 0.0 && B_.radius(j) > 0.0) atCrossing(i, j);
+  }
+  /// Rims without tubes touch where both cross the line in which their planes meet. Around it f is
+  /// nearly flat along each rim's normals, so that Newton's method may end elsewhere.
+  void atCrossing(int i, int j) {
+    const Vec3 cross = A_.a.cross(B_.a);
+    const double sine = cross.norm();
+    if (sine < kLeastCross) return;
+    const Vec3 e = cross / sine, oA = A_.middle(i), oB = B_.middle(j), way = oB - oA;
+    // From the middles across the line, and along it to the rims.
+    const double acrossA = way.dot(B_.a) / sine, acrossB = way.dot(A_.a) / sine;
+    const double squareA = A_.rho * A_.rho - acrossA * acrossA,
+                 squareB = B_.rho * B_.rho - acrossB * acrossB;
+    if (!(squareA > 0.0 && squareB > 0.0)) return;
+    const Vec3 toA = acrossA * e.cross(A_.a), toB = acrossB * e.cross(B_.a);
+    const double apart = e.dot(way), alongA = std::sqrt(squareA), alongB = std::sqrt(squareB);
+    double least = kInfinity, sA = 0.0, sB = 0.0;
+    for (const double p : {-alongA, alongA})
+      for (const double q : {-alongB, alongB})
+        if (const double d = std::abs(apart + q - p); d < least) least = d, sA = p, sB = q;
+    BodyCurve a = A_.rim(i, toA + sA * e), b = B_.rim(j, toB + sB * e);
+    const auto normal = [&] {
+      const Vec3 n = a.t.cross(b.t);
+      if (const double s = n.norm(); s > kLeastCross) take(n / s), take(-n / s);
+    };
+    normal();
+    if (toClosest(a, b)) normal();
   }
   /// One of the rims is a point (a tip or an end): the nearest point of the other disc.
   void fromPoint(int i, int j) {
@@ -101,7 +133,10 @@ class DiscSearch {
     const Vec3 p = onA ? B_.middle(j) : A_.middle(i), o = disc.middle(onA ? i : j);
     const Vec3 beside = disc.acrossAxis(p - o);
     const double out = beside.norm(), rho = disc.radius(onA ? i : j);
-    const Vec3 way = p - o - (out > rho ? rho / out : 1.0) * beside;
+    Vec3 way = p - o - (out > rho ? rho / out : 1.0) * beside;
+    // In the plane of the rim's normals: where the bodies touch the rest is rounding.
+    const Vec3 e = out > 0.0 ? unitAcross(beside, disc.a) : disc.x;
+    way = way.dot(e) * e + way.dot(disc.a) * disc.a;
     if (way.norm() > 0.0) take((onA ? way : Vec3(-way)).normalized());
   }
   /// At a cap f has a maximum or a kink. A search begins beside it, where
@@ -182,7 +217,14 @@ class Contacts {
  public:
   Contacts(const DiscBody& A, const DiscBody& B, const DiscsApart& apart, double same,
            DiscContacts& out)
-      : A_(A), B_(B), n_(apart.n), f_(apart.f), same_(same), found_(4.0 * same), out_(out) {
+      : A_(A),
+        B_(B),
+        n_(apart.n),
+        f_(apart.f),
+        same_(same),
+        loose_(4.0 * kSameFeature * std::max(A.thickness(), B.thickness())),
+        found_(4.0 * same),
+        out_(out) {
     x_ = n_.unitOrthogonal(), y_ = n_.cross(x_);
   }
 
@@ -199,18 +241,19 @@ class Contacts {
     onSide(A_, B_, 1.0), onSide(B_, A_, -1.0);
     rims();
     if (found_.size() == 0) any();
-    return tellsOverlap(f_, 4.0 * kSameFeature * std::max(A_.thickness(), B_.thickness()),
-                        std::span(out_.data(), found_.size()))
-               ? found_.size()
-               : outermostPoints();
+    return tellsOverlap(f_, loose_, std::span(out_.data(), found_.size())) ? found_.size()
+                                                                           : outermostPoints();
   }
 
  private:
-  /// Adds a contact unless there is one at its place; `sign` −1: its normal is from B to A.
+  /// Adds a contact unless there is one at its place, or its gap is below the largest separation:
+  /// then its features cross far from the place where the bodies meet. `sign` −1: its normal is from B to A.
   bool add(int id, ContactPoint at, double sign = 1.0) {
     if (sign < 0.0)
       for (const int k : {0, 1}) at.d[k] = -at.d[k], at.ddot[k] = -at.ddot[k];
-    if (!(at.d[0].dot(n_) > kLikeFace) || !found_.takes(x_.dot(at.P), y_.dot(at.P))) return false;
+    if (!(at.d[0].dot(n_) > kLikeFace && at.g >= f_ - loose_) ||
+        !found_.takes(x_.dot(at.P), y_.dot(at.P)))
+      return false;
     out_[static_cast<std::size_t>(found_.size() - 1)] = {id, at};
     return true;
   }
@@ -389,7 +432,7 @@ class Contacts {
 
   const DiscBody &A_, &B_;
   Vec3 n_;
-  double f_, same_;
+  double f_, same_, loose_;
   Vec3 x_, y_;
   Manifold<kMostDiscContacts> found_;
   DiscContacts& out_;

@@ -115,6 +115,8 @@ class Search {
   }
   void edge(int i, double least);
   void corner(int i, double least);
+  /// The normal n at corner i.
+  void along(int i, const Vec3& n, double least);
 
   const PlacedPolyhedron& A_;
   const DiscBody& B_;
@@ -133,19 +135,21 @@ void Search::edge(int i, double least) {
 }
 
 void Search::corner(int i, double least) {
-  const Vec3 v = A_.vertex(i), way = v - B_.c;
-  const double z = way.dot(B_.a);
-  const Vec3 beside = way - z * B_.a;
-  const double out = beside.norm();
-  Vec3 d = B_.nearest(v) - v;
-  // For a corner inside of B, B's side counts.
-  if (std::abs(z) < B_.half && out <= B_.radiusAt(z))
-    d = -(out > 0.0 ? Vec3(B_.cosine() / out * beside) : B_.x) - B_.sine() * B_.a;
-  if (!(d.norm() > 0.0)) return;
-  const Vec3 n = d.normalized(), n_A = A_.R.transpose() * n;
+  const Vec3 v = A_.vertex(i), way = v - B_.c, beside = B_.acrossAxis(way);
+  const Vec3 e = beside.norm() > 0.0 ? unitAcross(beside, B_.a) : B_.x;
+  // B's side, also for a corner inside. Of its rim the nearest point, in the plane of its normals:
+  // where the bodies touch the rest of d is rounding. What is beyond these ends at edges' arcs.
+  const bool beyond = std::abs(way.dot(B_.a)) > (1.0 + kSameFeature) * B_.half;
+  if (B_.half > 0.0 && (B_.tip || !beyond)) along(i, -B_.cosine() * e - B_.sine() * B_.a, least);
+  const Vec3 d = B_.nearest(v) - v, near = d.dot(e) * e + d.dot(B_.a) * B_.a;
+  if (const double length = near.norm(); length > 0.0) along(i, near / length, least);
+}
+
+void Search::along(int i, const Vec3& n, double least) {
+  const Vec3 n_A = A_.R.transpose() * n;
   for (const int k : body_.neighbours(i))
     if (n_A.dot(body_.corner(k) - body_.corner(i)) > 0.0) return;
-  take({-B_.support(-n) - n.dot(v), n, -1, -1, i}, least);
+  take({-B_.support(-n) - n.dot(A_.vertex(i)), n, -1, -1, i}, least);
 }
 
 /// All contacts along the direction n.
@@ -153,7 +157,14 @@ class Manifolds {
  public:
   Manifolds(const PlacedPolyhedron& A, const DiscBody& B, const Apart& apart, double same,
             DiscContacts& out)
-      : A_(A), B_(B), body_(*A.of), apart_(apart), same_(same), found_(4.0 * same), out_(out) {
+      : A_(A),
+        B_(B),
+        body_(*A.of),
+        apart_(apart),
+        same_(same),
+        loose_(4.0 * kSameFeature * std::max(A.of->halfWidth(), B.thickness())),
+        found_(4.0 * same),
+        out_(out) {
     x_ = apart.n.unitOrthogonal(), y_ = apart.n.cross(x_);
     part_ = B.part(-apart.n), rim_ = B.rimAlong(-apart.n);
   }
@@ -172,8 +183,7 @@ class Manifolds {
       flatEdges();
     }
     if (found_.size() == 0) return any(face);
-    return tellsOverlap(apart_.f, 4.0 * kSameFeature * std::max(body_.halfWidth(), B_.thickness()),
-                        std::span(out_.data(), found_.size()))
+    return tellsOverlap(apart_.f, loose_, std::span(out_.data(), found_.size()))
                ? found_.size()
                : outermostPoints();
   }
@@ -190,9 +200,10 @@ class Manifolds {
   using Part = DiscBody::Part;
 
   bool like(const Vec3& n) const { return n.dot(apart_.n) > kLikeFace; }
-  /// Adds a contact unless there is one at its place.
+  /// Adds a contact unless there is one at its place. Edges, rims and sides that cross far from the
+  /// place where the bodies meet may have a gap below the largest separation: not one of theirs.
   void add(int id, const ContactPoint& at) {
-    if (like(at.d[0]) && found_.takes(x_.dot(at.P), y_.dot(at.P)))
+    if (like(at.d[0]) && at.g >= apart_.f - loose_ && found_.takes(x_.dot(at.P), y_.dot(at.P)))
       out_[static_cast<std::size_t>(found_.size() - 1)] = {id, at};
   }
   Vec3 inA(const Vec3& p) const { return A_.R.transpose() * (p - A_.c); }
@@ -337,11 +348,12 @@ class Manifolds {
     corner(best);
   }
 
-  /// If features fit only up to rounding: a contact of the feature that n belongs to.
+  /// If features fit only up to rounding: a contact of the feature that n belongs to, or of the face
+  /// along n, unless B is beside that face.
   int any(int face) {
     if (face < 0 || !B_.touches(-A_.R * body_.face(face).n)) return outermostPoints();
     out_[0] = {rim_, lowest(A_.face(face, 1.0, true), rim_)};
-    return 1;
+    return out_[0].at.g >= apart_.f - loose_ ? 1 : outermostPoints();
   }
   /// A single contact of the outermost points along n. If n belongs to a face or edge of A, it
   /// stays fixed in A, else in B.
@@ -366,7 +378,7 @@ class Manifolds {
   const DiscBody& B_;
   const Polyhedron& body_;
   const Apart& apart_;
-  double same_;
+  double same_, loose_;
   Vec3 x_, y_;
   Part part_ = Part::rim;
   int rim_ = 0;
