@@ -36,53 +36,95 @@ TEST(LocatedJumping, ACanThatReboundsFromABoxIsLocated) {
   EXPECT_NEAR(first->t, std::sqrt(2.0 * fall / 9.81), 1e-7 / std::sqrt(2.0 * 9.81 * fall));
 }
 
-/// Two bodies of six kinds that fly at each other.
-std::string flight(unsigned seed) {
+/// Two bodies of seven kinds that fly at each other; a fourth of them plastic.
+std::string thrown(unsigned seed) {
   std::mt19937 random(seed);
   const auto one = [&](double a, double b) {
-    return std::to_string(std::uniform_real_distribution<double>(a, b)(random));
+    return std::to_string(a + (b - a) * static_cast<double>(random()) / 4294967296.0);
   };
-  const std::array<std::string, 6> shapes{
-      "Capsule radius=\"" + one(0.1, 0.3) + "\" length=\"" + one(0.3, 1.0) + "\"",
-      "Cylinder radius=\"" + one(0.1, 0.5) + "\" length=\"" + one(0.1, 1.0) + "\"",
-      "Cone radius=\"" + one(0.2, 0.6) + "\" length=\"" + one(0.3, 1.0) + "\"",
-      "Box size=\"" + one(0.2, 0.8) + " " + one(0.2, 0.8) + " " + one(0.2, 0.8) + "\"",
-      "Torus radius=\"0.4\" tube=\"" + one(0.05, 0.2) + "\"",
-      "Polyhedron points=\"-0.4 -0.4 -0.3 0.5 -0.3 -0.4 0 0.5 -0.2 0.1 0.1 0.5\""};
+  const auto three = [&](double a, double b) {
+    const std::string x = one(a, b), y = one(a, b);
+    return x + " " + y + " " + one(a, b);
+  };
+  const auto shape = [&]() -> std::string {
+    switch (random() % 7) {
+      case 0:
+        return "Capsule radius=\"" + one(0.1, 0.3) + R"(" length=")" + one(0.3, 1.0);
+      case 1:
+        return "Cylinder radius=\"" + one(0.1, 0.5) + R"(" length=")" + one(0.1, 1.0);
+      case 2:
+        return "Cone radius=\"" + one(0.2, 0.6) + R"(" length=")" + one(0.3, 1.0);
+      case 3:
+        return "Box size=\"" + three(0.2, 0.8);
+      case 4:
+        return R"(Torus radius="0.4" tube=")" + one(0.05, 0.2);
+      case 5:
+        return "Ellipsoid semiAxes=\"" + three(0.15, 0.5);
+      default:
+        return R"(Polyhedron points="-0.4 -0.4 -0.3 0.5 -0.3 -0.4 0 0.5 -0.2 0.1 0.1 )" +
+               one(0.3, 0.6);
+    }
+  };
   std::string text = R"(<dynamy version="1"><systems>)";
-  for (const std::string side : {"-", ""}) {
-    const std::string against = side.empty() ? "-" : "";
-    const std::string& shape = shapes[random() % shapes.size()];
-    text += "<RigidBody name=\"" + std::string(side.empty() ? "b" : "a") + "\" position=\"" + side +
-            "1.3 " + one(-0.2, 0.2) + " " + one(-0.2, 0.2) + "\" euler=\"" + one(-3.0, 3.0) + " " +
-            one(-3.0, 3.0) + " " + one(-3.0, 3.0) + "\" velocity=\"" + against + one(0.5, 2.0) +
-            " " + one(-0.2, 0.2) + " " + one(-0.2, 0.2) + "\" angularVelocity=\"" + one(-4.0, 4.0) +
-            " " + one(-4.0, 4.0) + " " + one(-4.0, 4.0) + "\"><" + shape +
-            R"( mass="1" material="a"/></RigidBody>)";
+  for (const bool left : {true, false}) {
+    text +=
+        left ? R"(<RigidBody name="a" position="-1.3 )" : R"(<RigidBody name="b" position="1.3 )";
+    text += one(-0.2, 0.2) + " " + one(-0.2, 0.2);
+    text += R"(" euler=")" + three(-3.0, 3.0) + R"(" velocity=")" + (left ? "" : "-");
+    text += one(0.5, 2.0) + " " + one(-0.2, 0.2) + " " + one(-0.2, 0.2);
+    text += R"(" angularVelocity=")" + three(-4.0, 4.0) + R"("><)" + shape();
+    text += R"(" mass="1" material="a"/></RigidBody>)";
   }
+  constexpr std::array<const char*, 4> kRebound{"0", "0.5", "0.9", "1"};
   return text + R"(</systems><elements><Contact between="a a"><UnilateralCoulomb mu="0.3"
       epsilonN=")" +
-         one(0.3, 1.0) + R"("/></Contact></elements><simulation until="1" step="1"/></dynamy>)";
+         kRebound[random() % 4] + R"("/></Contact></elements><simulation until="1" step="1"/>
+      </dynamy>)";
 }
 
-TEST(LocatedJumping, FlightsEndAsWithATighterTolerance) {
-  // Impacts amplify errors of 1e-6 L by some tens: 1e-4. Of 500 such flights with a third of them
-  // plastic, 11 of 100 were stepped in time and told.
+/// How flights end at 1e-6 beside 1e-9: impacts amplify errors of 1e-6 L by some tens, to 1e-4 m.
+struct Ends {
+  long impacts = 0;
   int told = 0;
-  constexpr int kFlights = 40;
-  for (unsigned seed = 1; seed <= kFlights; ++seed) {
-    LocatedRun loose(flight(seed), 1e-6, 2.5), tight(flight(seed), 1e-9, 2.5);
+  std::vector<unsigned> elsewhere, endless;
+};
+
+Ends fly(unsigned first, unsigned last) {
+  Ends ends;
+  for (unsigned seed = first; seed < last; ++seed) {
+    const std::string scene = thrown(seed);
+    LocatedRun loose(scene, 1e-6, 2.5), tight(scene, 1e-9, 2.5);
     loose.run(), tight.run();
-    ASSERT_EQ(loose.report().ended, RunReport::Ended::finished) << seed;
-    if (isTold(loose.report()) || isTold(tight.report())) {
-      ++told;
-      continue;
-    }
-    EXPECT_LT((loose.state().q - tight.state().q).cwiseAbs().maxCoeff(), 1e-4) << seed;
-    EXPECT_EQ(loose.report().contacts.impacts, tight.report().contacts.impacts) << seed;
+    for (const LocatedRun* run : {&loose, &tight})
+      if (run->report().ended != RunReport::Ended::finished ||
+          run->report().cost.evaluations > 50000)
+        ends.endless.push_back(seed);
+    ends.impacts += loose.report().contacts.impacts;
+    if (isTold(loose.report()) || isTold(tight.report()))
+      ++ends.told;
+    else if (!((loose.state().q - tight.state().q).cwiseAbs().maxCoeff() < 1e-4))
+      ends.elsewhere.push_back(seed);
   }
-  EXPECT_LE(told, kFlights / 8);
+  std::printf("flights %u … %u: %ld impacts, %d told, elsewhere", first, last, ends.impacts,
+              ends.told);
+  for (const unsigned seed : ends.elsewhere) std::printf(" %u", seed);
+  std::printf(", endless");
+  for (const unsigned seed : ends.endless) std::printf(" %u", seed);
+  std::printf("\n");
+  return ends;
 }
+
+void expectTheSameEnds(unsigned last) {
+  const Ends ends = fly(0, last);
+  EXPECT_TRUE(ends.elsewhere.empty());
+  EXPECT_TRUE(ends.endless.empty());
+  // Of 1000 flights 82 were stepped in time and told; 76 of these are plastic.
+  EXPECT_LE(ends.told, static_cast<int>(last) / 8);
+}
+
+TEST(LocatedJumping, FlightsEndAsWithATighterTolerance) { expectTheSameEnds(300); }
+
+TEST(LongLocatedJumping, FlightsEndAsWithATighterTolerance) { expectTheSameEnds(1000); }
 
 }  // namespace
 }  // namespace dynamy::reference
