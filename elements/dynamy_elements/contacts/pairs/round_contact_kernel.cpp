@@ -46,7 +46,7 @@ namespace {
 /// signs are those of p?
 bool pointsOut(const Vec3& n, const Vec3& p, int axis) {
   for (int k = 0; k < 3; ++k)
-    if (k != axis && n[k] * (p[k] < 0.0 ? -1.0 : 1.0) < 0.0) return false;
+    if (k != axis && n[k] * (p[k] < 0.0 ? -1.0 : 1.0) < -kOnBorder) return false;
   return true;
 }
 

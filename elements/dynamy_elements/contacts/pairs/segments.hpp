@@ -67,7 +67,7 @@ inline ContactPoint besideSegment(const LineSegment& a, double R, const Vec3& n,
   return out;
 }
 
-/// Closest points of the lines of two segments; `inside`: both are between the ends.
+/// Closest points of the lines of two segments; `inside`: both are between the ends, up to kOnBorder.
 struct SegmentCrossing {
   bool inside = false;
   double s = 0.0, t = 0.0, c = 0.0, square = 0.0;
@@ -77,7 +77,8 @@ struct SegmentCrossing {
     if (square < kParallel) return;
     const double da = d.dot(a.e), db = d.dot(b.e);
     s = (da - c * db) / square, t = (c * da - db) / square;
-    inside = std::abs(s) < a.half && std::abs(t) < b.half;
+    const double within = 1.0 + kOnBorder;
+    inside = std::abs(s) < within * a.half && std::abs(t) < within * b.half;
   }
 };
 

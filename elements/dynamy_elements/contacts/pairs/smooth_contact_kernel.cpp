@@ -207,15 +207,18 @@ class OnEdges {
     if (body_.face(e.f).n.dot(way) < 0.0 && body_.face(e.g).n.dot(way) < 0.0) return;
     const ContactPoint at = onPoint(*A_.frame, edge.o, B_, &edge.e);
     const Vec3 n = A_.R.transpose() * at.d[0];
-    const bool inWedge =
-        body_.face(e.f).n.cross(n).dot(e.e) >= 0.0 && n.cross(body_.face(e.g).n).dot(e.e) >= 0.0;
-    if (inWedge && std::abs(edge.e.dot(at.P - edge.o)) <= edge.half) take(at);
+    const double least =
+        std::min(body_.face(e.f).n.cross(n).dot(e.e), n.cross(body_.face(e.g).n).dot(e.e));
+    const bool over = std::abs(edge.e.dot(at.P - edge.o)) <= (1.0 + kOnBorder) * edge.half;
+    if (least >= -kOnBorder && over) take(at);
   }
   void corner(int i) {
     const ContactPoint at = onPoint(*A_.frame, A_.vertex(i), B_, nullptr);
     const Vec3 n = A_.R.transpose() * at.d[0];
-    for (const int k : body_.neighbours(i))
-      if (n.dot(body_.corner(k) - body_.corner(i)) > 0.0) return;
+    for (const int k : body_.neighbours(i)) {
+      const Vec3 side = body_.corner(k) - body_.corner(i);
+      if (n.dot(side) > kOnBorder * side.norm()) return;
+    }
     take(at);
   }
 

@@ -41,8 +41,9 @@ class SmoothOverMesh {
     const Surface::Face& f = mesh_.faces()[static_cast<std::size_t>(number)];
     const ContactPoint at = smooth::overPlane(A_, A_.A_IK * f.n, placed(f.v[0]), B_);
     const Vec3 p = inA(at.P);
+    const double beside = kOnBorder * (mesh_.at(f.v[1]) - mesh_.at(f.v[0])).norm();
     for (std::size_t k = 0; k < 3; ++k)
-      if (f.out[k].dot(p - mesh_.at(f.v[k])) > 0.0) return;
+      if (f.out[k].dot(p - mesh_.at(f.v[k])) > beside) return;
     // Coplanar faces would both touch on their common edge; one contact is kept.
     for (int i = 0; i < size_; ++i)
       if ((out_[static_cast<std::size_t>(i)].at.d[0] - at.d[0]).squaredNorm() < 1e-18) return;
@@ -53,7 +54,7 @@ class SmoothOverMesh {
     const Vec3 e = (b - a).normalized();
     const ContactPoint at = smooth::onPoint(A_, o, B_, &e);
     if (mesh_.inWedge(i, A_.A_IK.transpose() * at.d[0]) &&
-        std::abs(e.dot(at.P - o)) <= 0.5 * (b - a).norm())
+        std::abs(e.dot(at.P - o)) <= 0.5 * (1.0 + kOnBorder) * (b - a).norm())
       take(faces() + i, at);
   }
   void corner(int i) {

@@ -134,8 +134,9 @@ class OverMesh {
     const Vec3 p = t_ + C_ * B_.of->corner(v);
     const double g = f.n.dot(p - mesh_.at(f.v[0]));
     if (std::abs(g) > reach_) return;
+    const double beside = kOnBorder * (mesh_.at(f.v[1]) - mesh_.at(f.v[0])).norm();
     for (std::size_t k = 0; k < 3; ++k)
-      if (f.out[k].dot(p - mesh_.at(f.v[k])) > 0.0) return;
+      if (f.out[k].dot(p - mesh_.at(f.v[k])) > beside) return;
     // All edges of the corner must rise from the face, up to the tilt of
     // a face that lies on another.
     const Vec3 n = C_.transpose() * f.n;
@@ -165,7 +166,8 @@ class OverMesh {
         height = h, nearest = static_cast<int>(f);
     if (std::abs(height) > reach_) return;
     const Polyhedron::Face& face = body.face(nearest);
-    if (!body.over(face, p, 0.0) || !mesh_.inCone(i, -(C_ * face.n))) return;
+    if (!body.over(face, p, kOnBorder * body.halfWidth()) || !mesh_.inCone(i, -(C_ * face.n)))
+      return;
     if (NumberedContact* c = found_.next(ofCorners() + i))
       B_.face(nearest, -1.0, rates_)
           .contact(A_, A_.r_OS_I + A_.A_IK * mesh_.at(mesh_.corner(i).v), c->at);
@@ -181,13 +183,13 @@ class OverMesh {
       const Polyhedron::Edge& f = B_.of->edge(j);
       const PlacedEdge b{t_ + C_ * f.middle, C_ * f.e, f.half};
       const EdgeCrossing at(a, b);
-      if (at.parallel || std::abs(at.s) > a.half || std::abs(at.t) > b.half) continue;
+      if (at.parallel || beyond(at.s, a.half) || beyond(at.t, b.half)) continue;
       // The normal that points out of the mesh, and into B.
       const Vec3 towards = mesh_.inWedge(i, at.n) ? at.n : Vec3(-at.n);
       if (!mesh_.inWedge(i, towards) || std::abs(towards.dot(at.PB - at.PA)) > reach_) continue;
       const Vec3 &nf = B_.of->face(f.f).n, &ng = B_.of->face(f.g).n;
       const Vec3 inB = -(C_.transpose() * towards);
-      if (nf.cross(inB).dot(f.e) < 0.0 || inB.cross(ng).dot(f.e) < 0.0) continue;
+      if (std::min(nf.cross(inB).dot(f.e), inB.cross(ng).dot(f.e)) < -kOnBorder) continue;
       if (NumberedContact* c = found_.next(ofEdges() + i * n + j)) {
         const PlacedEdge placed{A_.r_OS_I + A_.A_IK * a.o, A_.A_IK * a.e, a.half};
         const PlacedEdge other = B_.edge(j);
@@ -197,6 +199,7 @@ class OverMesh {
     }
   }
 
+  static bool beyond(double s, double half) { return std::abs(s) > (1.0 + kOnBorder) * half; }
   int faces() const { return static_cast<int>(mesh_.faces().size()); }
   int ofCorners() const { return static_cast<int>(B_.of->corners().size()) * faces(); }
   int ofEdges() const { return ofCorners() + mesh_.corners(); }

@@ -4,6 +4,11 @@
 
 namespace dynamy {
 
+/// Sine, and part of a length, by which a place may be beyond a feature where it passes to the next
+/// one. Without it a place between two is on neither by a rounding, and the contact of another
+/// feature counts, or none. What is told of it is off by the square of this.
+inline constexpr double kOnBorder = 1e-10;
+
 /// Gap, point and directions of one contact, with the rates of point and directions.
 struct ContactPoint {
   double g = 0.0;            ///< gap [m]

@@ -1,6 +1,8 @@
 // The largest separation of bodies that touch along a normal which was chosen, by rounding or more
-// of distance or overlap: it is not less than along that normal, as it is the largest.
+// of distance or overlap: it is not less than along that normal, as it is the largest. Of smooth
+// bodies it is along that normal.
 #include <dynamy_elements/contacts/pairs/between_discs.hpp>
+#include <dynamy_elements/contacts/pairs/smooth_contact.hpp>
 
 #include <cmath>
 
@@ -102,6 +104,73 @@ TEST(TouchingSeparation, OfTwoDiscsIsAtLeastThatAlongTheNormal) {
     DiscContacts found;
     expectNotDeeper(found, betweenDiscs(a, b, kInfinity, -1.0, true, found), f, trial);
     EXPECT_GT(separation(a, b), f - kRoundedGap) << "trial " << trial << ", seed 62, gap " << gap;
+  }
+}
+
+TEST(TouchingSeparation, OfAnEllipsoidAndAPolyhedronHasTheNormalOfTouching) {
+  // It touches a corner along the normal of a face, between two or among three, where the contact
+  // passes from feature to feature: on neither of them by a rounding.
+  Random r(63);
+  for (int trial = 0; trial < kPlaces; ++trial) {
+    const Polyhedron body =
+        trial % 2 ? Polyhedron(r.hull(10)) : Polyhedron(boxTriangles({0.6, 0.4, 0.3}));
+    const Mover A = inSpace(r, 0.3 * r.vec());
+    const int corner = trial / 14 % static_cast<int>(body.corners().size());
+    const Vec3 n = A.frame.A_IK * normalAt(r, body, corner, 1 + trial / 3 % 3);
+    const SupportFeature smooth =
+        ellipsoid({0.35 + 0.2 * r.number(), 0.35 + 0.2 * r.number(), 0.35 + 0.2 * r.number()});
+    Mover B = inSpace(r, Vec3::Zero());
+    const double gap = kGaps[trial % 12];
+    const Vec3 lowest = B.frame.A_IK * smooth.point(-(B.frame.A_IK.transpose() * n));
+    B.frame.r_OS_I = A.frame.r_OS_I + A.frame.A_IK * body.corner(corner) + gap * n - lowest;
+    const ContactPoint at = smoothOnPolyhedron(placed(A.frame, body), B.frame, smooth);
+    if (gap < -1e-8) continue;  // another corner or edge may separate more
+    EXPECT_NEAR(at.g, gap, 4.0 * kRoundedGap) << "trial " << trial << ", seed 63, gap " << gap;
+    EXPECT_LT((at.d[0] - n).norm(), 1e-7) << "trial " << trial << ", seed 63, gap " << gap;
+  }
+}
+
+/// One of the contacts found has this gap and normal. On a thin body others may be of its far side,
+/// with deep overlaps: a mesh does not know what is inside.
+void expectOne(std::span<const NumberedContact> found, double gap, const Vec3& n, int trial) {
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                          [&](const NumberedContact& c) {
+                            return std::abs(c.at.g - gap) < 4.0 * kRoundedGap &&
+                                   (c.at.d[0] - n).norm() < 1e-7;
+                          }))
+      << "trial " << trial << ", seed 64, gap " << gap << ", contacts " << found.size();
+}
+
+TEST(TouchingSeparation, OfRoundBodiesOnAMeshHasTheNormalOfTouching) {
+  // As above; capsules with an end, the side, or the border between them.
+  Random r(64);
+  for (int trial = 0; trial < kPlaces; ++trial) {
+    const std::vector<Vec3> triangles = trial % 2 ? r.hull(10) : boxTriangles({0.6, 0.4, 0.3});
+    const Polyhedron body(triangles);
+    const Surface mesh(triangles, true);
+    const Mover A = inSpace(r, 0.3 * r.vec());
+    const int corner = trial / 14 % static_cast<int>(body.corners().size());
+    const Vec3 n = A.frame.A_IK * normalAt(r, body, corner, 1 + trial / 3 % 3);
+    const double gap = trial % 12 < 9 ? kGaps[trial % 12] : 0.0;
+    const Vec3 place = A.frame.r_OS_I + A.frame.A_IK * body.corner(corner) + gap * n;
+    Mover B = inSpace(r, Vec3::Zero());
+    OnSurfaceContacts out;
+    int found = 0;
+    if (trial / 5 % 2 == 0) {
+      const SupportFeature smooth =
+          ellipsoid({0.35 + 0.2 * r.number(), 0.35 + 0.2 * r.number(), 0.35 + 0.2 * r.number()});
+      B.frame.r_OS_I = place - B.frame.A_IK * smooth.point(-(B.frame.A_IK.transpose() * n));
+      found = smoothOnMesh(A.frame, mesh, B.frame, smooth, 0.1, out);
+    } else {
+      const double R = 0.1, half = 0.6;
+      const Vec3 across = n.cross(r.vec()).normalized();
+      B.frame.A_IK.col(0) = n, B.frame.A_IK.col(2) = across;
+      B.frame.A_IK.col(1) = across.cross(n);
+      const double along[] = {half, -half, half * r.number(), half * r.number()};
+      B.frame.r_OS_I = place + R * n + along[trial % 4] * across;
+      found = capsuleOnSurface(A.frame, mesh, B.frame, capsule(R, half), 0.1, out);
+    }
+    expectOne({out.data(), static_cast<std::size_t>(found)}, gap, n, trial);
   }
 }
 
