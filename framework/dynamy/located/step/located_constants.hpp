@@ -35,9 +35,10 @@ struct EventConstants {
 
 /// The distance left to a root (theory 50.3).
 struct RootConstants {
-  static constexpr int mostFirst = 8;     ///< contacts that close before the one that was found
-  static constexpr int mostMoves = 8;     ///< iterations of Newton's method
-  static constexpr double taylor = 0.01;  ///< (d/h)³ over the tolerance, for Taylor's polynomial
+  static constexpr double mostError = 2.0;  ///< of the tolerance: of the step repeated to a root
+  static constexpr int mostFirst = 8;       ///< contacts that close before the one that was found
+  static constexpr int mostMoves = 8;       ///< iterations of Newton's method
+  static constexpr double taylor = 0.01;    ///< (d/h)³ over the tolerance, for Taylor's polynomial
   static constexpr double denseShare = 0.1;  ///< largest d/h for the dense output
   static constexpr double farthest = 0.5;    ///< d/h above which the root is not of this step,
   static constexpr double jump = 1e-2;       ///< and above which the gap of two features has jumped

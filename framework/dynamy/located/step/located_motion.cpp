@@ -166,10 +166,12 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
   const std::array<double, 5> before = record_.works;
   if (trial.found)
     if (Refusal r = toRoot_.take(step, trial.h, trial.found, last_.end())) return r;
-  if (coming_.sinks(to_.x)) {
+  const bool strays = trial.found && toRoot_.strays();
+  if (strays || coming_.sinks(to_.x)) {
     record_.works = before;
     trials_.drop(step, trial.h);
-    const bool longEnough = parts_.pace.next > MeetingConstants::atMeeting * parts_.norm.time();
+    const bool longEnough =
+        strays || parts_.pace.next > MeetingConstants::atMeeting * parts_.norm.time();
     const ContactKey sunk = coming_.sunk();
     return longEnough || sunk == kNoContact ? Refusal{} : step.lose(sunk);
   }

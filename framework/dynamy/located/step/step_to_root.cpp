@@ -19,7 +19,12 @@ Refusal StepToRoot::take(LocatedStep& step, double h, const Switch& w, PhasePoin
   motion.shortStep.explicitStep().light(motion.step.explicitStep().light());
   if (!motion.step.take(step.s, motion.phase, step.from, length, step.to.x)) return step.fault();
   if (Refusal r = step.evaluate(step.to, true)) return r;
-  step.record.impulse = motion.step.last().impulse(), end = step.to;
+  SmoothMethod& method = motion.step.last();
+  if (method.errorNeedsEnd()) method.end(step.to);
+  const double error = method.error(parts_.norm, step.from.x, step.to.x);
+  strays_ = !parts_.settings.givenSteps && !(error <= RootConstants::mostError);
+  if (strays_) return {};
+  step.record.impulse = method.impulse(), end = step.to;
   end_ = &end;
   Switch first = w;
   for (int i = 0; i < RootConstants::mostFirst; ++i) {

@@ -16,6 +16,9 @@ class StepToRoot {
   /// Repeats a trial of length h up to the switch w, and moves step.to to its root. `end`: the end
   /// of the repeated step, before the distance left. Impulses and works are added to the record.
   Refusal take(LocatedStep& step, double h, const Switch& w, PhasePoint& end);
+  /// The error of the repeated step is above the tolerance, although the trial's was not: a force
+  /// has jumped at one of its stages.
+  bool strays() const { return strays_; }
 
  private:
   Refusal polish(LocatedStep& step, double h, const Switch& w);
@@ -27,6 +30,7 @@ class StepToRoot {
   /// Evaluates the forces at step.to and adds their impulse from known_ to there.
   Refusal settle(LocatedStep& step);
   LocatedParts& parts_;
+  bool strays_ = false;
   const PhasePoint* end_ = nullptr;    // end of the repeated step
   PhasePoint known_;                   // last point on the way to the root with evaluated forces
   PhasePoint start_;                   // of a step of its own
