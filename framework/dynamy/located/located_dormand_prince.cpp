@@ -95,13 +95,13 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
     const SteppedState& kept = governed_.state().stepped;
     steps_.resume(view(kept.rate), kept.overlap, kept.projected);
     steppedFrom_.scheme = kept.scheme;
-    return kept.any() ? stepInTime(s, solver, x, dt) : stepApart(s, solver, x, dt);
+    return kept.any() ? stepInTime(s, solver, x, dt, s.evaluations()) : stepApart(s, solver, x, dt);
   }
   const Refusal refusal = governed_.locate(s, solver, x, dt, report);
   if (governed_.turned()) steps_.begin(), steppedFrom_.scheme.resize(0);
   if (refusal.passable) {
     const StepEffort spent = report.counts.effort;
-    report = stepInTime(s, solver, x, dt);
+    report = stepInTime(s, solver, x, dt, s.evaluations());
     report.counts.effort.rejected += spent.smooth + spent.rejected + spent.switches + spent.events;
   } else if (refusal) {
     refusal_ = refusal.why;
@@ -124,6 +124,7 @@ StepReport LocatedDormandPrince::stepApart(MechanicalSystem& s, InclusionSolver&
   SteppedState& stepped = governed_.state().stepped;
   StepReport report;
   clocks_.stand(s, solver, governed_, x, stepped);
+  const long before = s.evaluations();
   if (const Refusal refusal = clocks_.follow(s, solver, x, x.t + dt, stepped)) {
     refusal_ = refusal.why, report.refused = refusal_;
     return report;
@@ -132,7 +133,7 @@ StepReport LocatedDormandPrince::stepApart(MechanicalSystem& s, InclusionSolver&
     governed_.governor() = clocks_.turnedBy();
     clocks_.keep(stepped);
     steps_.begin(), steppedFrom_.scheme.resize(0);
-    return stepInTime(s, solver, x, dt);
+    return stepInTime(s, solver, x, dt, before);
   }
   apart_ = true;
   const double from = x.t;
@@ -181,8 +182,9 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
   return out;
 }
 
+/// `before`: evaluations when the step of the run began.
 StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x,
-                                            double dt) {
+                                            double dt, long before) {
   SteppedState& stepped = governed_.state().stepped;
   SwitchGovernor& governor = governed_.governor();
   const ErrorNorm& norm = governed_.motion().parts().norm;
@@ -190,7 +192,6 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   if (stepped.time <= 0.0) stepped.time = presentTime(norm, x.u);
   governor.scales(norm.tolerance(), stepped.time);
   islands_.start(s.parts());
-  const long before = s.evaluations();
   steppedFrom_.t = x.t, steppedFrom_.q = x.q, steppedFrom_.u = x.u;
   steppedFrom_.memory = x.memory, steppedFrom_.impulses = x.impulses;
   const InTime taken = tryInTime(s, solver, x, dt);

@@ -63,7 +63,8 @@ class LocatedDormandPrince : public OneStep {
   };
   StepReport stepApart(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   InTime tryInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
-  StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
+  StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
+                        long before);
   /// Interpolation evaluates stages of the last step when it is first requested.
   mutable GovernedMotion governed_{LocatedSettings{}};
   SteppedIslands steps_;
