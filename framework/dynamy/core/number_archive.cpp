@@ -44,7 +44,11 @@ void NumberArchive::operator()(ContactKey& key) {
 
 void NumberArchive::operator()(Eigen::VectorXd& v) {
   const std::size_t n = count(static_cast<std::size_t>(v.size()));
-  if (reading()) v.resize(static_cast<Eigen::Index>(n));
+  if (!reading()) {
+    numbers_.insert(numbers_.end(), v.begin(), v.end());
+    return;
+  }
+  v.resize(static_cast<Eigen::Index>(n));
   for (Eigen::Index i = 0; i < v.size(); ++i) (*this)(v[i]);
 }
 

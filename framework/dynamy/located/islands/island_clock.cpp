@@ -8,7 +8,10 @@ namespace dynamy {
 namespace {
 
 constexpr int kSlots = 2;  ///< of a system whose switches are located
-constexpr int kParts = 8;  ///< of a step, for the boxes of its path
+constexpr int kParts = 8;  ///< of a step, for the boxes of its path, at most
+/// A step in which shapes move by less than this part of their bounds, or turn by less than this
+/// [rad], is one part; each part of others moves them about as far.
+constexpr double kOnePart = 0.1;
 
 }  // namespace
 
@@ -161,13 +164,18 @@ void IslandClock::findPath(MechanicalSystem& s, std::span<const MovingShape> sha
   const auto frames = [&](const State& x) {
     k.evaluate(*topology_, x.t, view(x.q), view(x.u), view(x.memory), &subset_);
   };
+  const double h = now_.to.t - now_.from.t;
+  frames(std::as_const(now_.to));
+  double stretch = PathBoxes::stretch(shapes_, k, h);
   frames(std::as_const(now_.from));
+  stretch = std::max(stretch, PathBoxes::stretch(shapes_, k, h));
+  const int parts = stretch < kOnePart * kParts ? 1 + static_cast<int>(stretch / kOnePart) : kParts;
   path_.begin(shapes_, k);
   const long evaluations = view_->evaluations();
-  for (int i = 1; i <= kParts && now_.to.t > now_.from.t; ++i) {
+  for (int i = 1; i <= parts && h > 0.0; ++i) {
     // At the end of the step these are the velocities before an impact there.
-    within(i < kParts ? now_.from.t + (now_.to.t - now_.from.t) * i / kParts : now_.to.t, false);
-    at_.t = i < kParts ? at_.t : now_.to.t;
+    within(i < parts ? now_.from.t + h * i / parts : now_.to.t, false);
+    at_.t = i < parts ? at_.t : now_.to.t;
     frames(std::as_const(at_));
     path_.pass(k);
   }

@@ -13,10 +13,9 @@ constexpr double kTurn =
 
 }  // namespace
 
-PathBoxes::Place PathBoxes::at(std::size_t shape, const Kinematics& k) const {
-  const MovingShape& s = shapes_[shape];
-  const Frame& f = k.frame(s.frame);
-  const Vec3 arm_I = f.A_IK * s.arm_K;
+PathBoxes::Place PathBoxes::at(const MovingShape& shape, const Kinematics& k) {
+  const Frame& f = k.frame(shape.frame);
+  const Vec3 arm_I = f.A_IK * shape.arm_K;
   return {f.r_OS_I + arm_I, f.velocity(arm_I), f.Omega_I.norm()};
 }
 
@@ -24,7 +23,16 @@ void PathBoxes::begin(std::span<const MovingShape> shapes, const Kinematics& k) 
   shapes_ = shapes;
   times_.assign(1, k.t());
   last_.clear(), boxes_.clear(), whole_.clear(), all_.setEmpty();
-  for (std::size_t i = 0; i < shapes_.size(); ++i) last_.push_back(at(i, k));
+  for (const MovingShape& shape : shapes_) last_.push_back(at(shape, k));
+}
+
+double PathBoxes::stretch(std::span<const MovingShape> shapes, const Kinematics& k, double dt) {
+  double most = 0.0;
+  for (const MovingShape& shape : shapes) {
+    const Place place = at(shape, k);
+    most = std::max({most, dt * place.v.norm() / shape.bound, dt * place.Omega});
+  }
+  return most;
 }
 
 /// Appends the box of a shape in a part from a to b.
@@ -46,7 +54,7 @@ void PathBoxes::pass(const Kinematics& k) {
   times_.push_back(k.t());
   whole_.emplace_back();
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
-    const Place place = at(i, k);
+    const Place place = at(shapes_[i], k);
     add(i, last_[i], place, dt, shapes_[i].arm_K.norm());
     last_[i] = place;
   }

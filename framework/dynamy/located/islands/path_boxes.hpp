@@ -27,6 +27,8 @@ class PathBoxes {
   void begin(std::span<const MovingShape> shapes, const Kinematics& k);
   /// The next place of the path, which ends a part.
   void pass(const Kinematics& k);
+  /// What shapes do in `dt` [s] with their velocities in k: ways over their bounds, or turns [rad].
+  static double stretch(std::span<const MovingShape> shapes, const Kinematics& k, double dt);
   /// A path of `h` [s] from k with constant velocities.
   void expect(std::span<const MovingShape> shapes, const Kinematics& k, double h);
   /// No path: nothing meets it.
@@ -41,7 +43,7 @@ class PathBoxes {
     Vec3 r, v;     // of the middle of a shape [m], [m/s]
     double Omega;  // of its frame [rad/s]
   };
-  Place at(std::size_t shape, const Kinematics& k) const;
+  static Place at(const MovingShape& shape, const Kinematics& k);
   void add(std::size_t shape, const Place& a, const Place& b, double dt, double arm);
   std::size_t parts() const { return times_.empty() ? 0 : times_.size() - 1; }
   bool partsMeet(std::size_t k, const PathBoxes& other, std::size_t l) const;
