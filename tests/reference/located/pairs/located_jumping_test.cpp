@@ -82,7 +82,8 @@ std::string thrown(unsigned seed) {
       </dynamy>)";
 }
 
-/// How flights end at 1e-6 beside 1e-9: impacts amplify errors of 1e-6 L by some tens, to 1e-4 m.
+/// How flights end at 1e-6 beside 1e-9: three impacts amplify errors of 1e-6 L to
+/// 1.4e-4 at most; of those that went wrong silently the least was off by 9e-4.
 struct Ends {
   long impacts = 0;
   int told = 0;
@@ -102,7 +103,7 @@ Ends fly(unsigned first, unsigned last) {
     ends.impacts += loose.report().contacts.impacts;
     if (isTold(loose.report()) || isTold(tight.report()))
       ++ends.told;
-    else if (!((loose.state().q - tight.state().q).cwiseAbs().maxCoeff() < 1e-4))
+    else if (!((loose.state().q - tight.state().q).cwiseAbs().maxCoeff() < 3e-4))
       ends.elsewhere.push_back(seed);
   }
   std::printf("flights %u … %u: %ld impacts, %d told, elsewhere", first, last, ends.impacts,
