@@ -119,7 +119,7 @@ void expectTheSameEnds(unsigned last) {
   const Ends ends = fly(0, last);
   EXPECT_TRUE(ends.elsewhere.empty());
   EXPECT_TRUE(ends.endless.empty());
-  // Of 1000 flights 82 were stepped in time and told; 76 of these are plastic.
+  // Of 1000 flights 81 were stepped in time and told; 75 of these are plastic.
   EXPECT_LE(ends.told, static_cast<int>(last) / 8);
 }
 
