@@ -13,8 +13,6 @@ constexpr double kSamePlane = 1e-9;
 /// Part of the extent by which a point beside a face still counts as over it, so that no point
 /// falls between two faces.
 constexpr double kBesideFace = 1e-12;
-/// Sine of the angle by which a direction beside those of an edge or corner still is one of them.
-constexpr double kBesideNormals = 1e-10;
 /// Most faces of a leaf.
 constexpr int kLeaf = 4;
 
@@ -199,7 +197,7 @@ bool Surface::inWedge(int i, const Vec3& way) const {
   const Edge& e = edge(i);
   const Face &first = faces_[static_cast<std::size_t>(e.f)],
              &second = faces_[static_cast<std::size_t>(e.g < 0 ? e.f : e.g)];
-  const double least = -kBesideNormals * way.norm();
+  const double least = -kOnBorder * way.norm();
   return way.dot(first.out[static_cast<std::size_t>(e.sideF)]) > least &&
          (e.g < 0 ? way.dot(first.n) > 0.0
                   : way.dot(second.out[static_cast<std::size_t>(e.sideG)]) > least);
@@ -209,7 +207,7 @@ bool Surface::inCone(int i, const Vec3& way) const {
   const Corner& c = corner(i);
   for (const int other : c.others) {
     const Vec3 side = at(other) - at(c.v);
-    if (way.dot(side) > kBesideNormals * way.norm() * side.norm()) return false;
+    if (way.dot(side) > kOnBorder * way.norm() * side.norm()) return false;
   }
   return std::any_of(c.faces.begin(), c.faces.end(), [&](int face) {
     return way.dot(faces_[static_cast<std::size_t>(face)].n) > 0.0;

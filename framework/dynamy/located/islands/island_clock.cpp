@@ -8,9 +8,11 @@ namespace dynamy {
 namespace {
 
 constexpr int kSlots = 2;  ///< of a system whose switches are located
-constexpr int kParts = 8;  ///< of a step, for the boxes of its path, at most
-/// A step in which shapes move by less than this part of their bounds, or turn by less than this
-/// [rad], is one part; each part of others moves them about as far.
+/// Parts of a step, for the boxes of its path. Two at least: velocities at its ends do not tell of a
+/// swing to and fro within it.
+constexpr int kFewestParts = 2, kParts = 8;
+/// With the velocities at the ends, shapes move in a part by no more than this part of their bounds,
+/// and turn by no more than this [rad], unless there are kParts.
 constexpr double kOnePart = 0.1;
 
 }  // namespace
@@ -169,7 +171,9 @@ void IslandClock::findPath(MechanicalSystem& s, std::span<const MovingShape> sha
   double stretch = PathBoxes::stretch(shapes_, k, h);
   frames(std::as_const(now_.from));
   stretch = std::max(stretch, PathBoxes::stretch(shapes_, k, h));
-  const int parts = stretch < kOnePart * kParts ? 1 + static_cast<int>(stretch / kOnePart) : kParts;
+  const int parts = stretch < kOnePart * kParts
+                        ? std::max(kFewestParts, 1 + static_cast<int>(stretch / kOnePart))
+                        : kParts;
   path_.begin(shapes_, k);
   const long evaluations = view_->evaluations();
   for (int i = 1; i <= parts && h > 0.0; ++i) {

@@ -154,11 +154,9 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
   const double longest = trials_.shortened(from_, slips.most);
   Trial trial = trials_.take(step, std::min(parts_.pace.next, longest));
   if (trial.refusal || !trial.accepted) return trial.refusal;
-  if (trial.found) {
-    ++step.report.counts.switches;
-    step.lastSwitched = parts_.search.contact(motion.phase, trial.found);
-  }
+  if (trial.found) step.lastSwitched = parts_.search.contact(motion.phase, trial.found);
   if (trial.found.kind == Switch::Kind::atStart) {
+    ++step.report.counts.switches;
     Refusal refusal = events_.decide(step, from_, trial.found);
     step.book(&StepEffort::events);
     return refusal;
@@ -183,6 +181,7 @@ Refusal LocatedMotion::finish(LocatedStep& step, const Trial& trial, const Bound
   PhaseMotion& motion = parts_.motion;
   const bool full = !trial.found && trial.h == bound.most;
   if (trial.found) {
+    ++step.report.counts.switches;
     step.book(&StepEffort::switches);
   } else {
     record_.impulse = motion.step.last().impulse();
