@@ -261,6 +261,11 @@ std::string stepsText(const RunReport& r) {
   if (r.passing.parted > 0)
     out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
                        counted(r.passing.parted, "step"));
+  if (r.passing.bounded > 0)
+    out += fmt::format(
+        " {} used up the work that a step may take: the rest of it was taken at a small cost (a "
+        "smaller step has as much work for less time)\n",
+        counted(r.passing.bounded, "step"));
   if (r.trust.damped > 0)
     out += fmt::format(
         " {} faster than steps follow: taken at the end of steps, which damps them (a smaller step "
@@ -387,6 +392,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("divided", r.passing.divided).member("finest", r.passing.finest);
   json.member("parted", r.passing.parted)
       .member("left", r.passing.left)
+      .member("bounded", r.passing.bounded)
       .member("damped", r.trust.damped);
   json.member("simpler", r.simpler.steps);
   json.member("evaluations", r.cost.evaluations).member("impacts", r.contacts.impacts);

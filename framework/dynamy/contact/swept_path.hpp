@@ -20,6 +20,7 @@ struct Passing {
   double t = std::numeric_limits<double>::infinity();
   double width = 0.0;  ///< time in which the overlap of the bodies stays negligible [s]
   ContactKey contact;
+  double work = 0.0;  ///< of the search, in evaluations of one velocity
   explicit operator bool() const { return t < std::numeric_limits<double>::infinity(); }
 };
 

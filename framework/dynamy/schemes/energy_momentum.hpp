@@ -38,6 +38,7 @@ class EnergyMomentum final : public OneStep {
 
  private:
   StepReport halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt, int depth);
+  StepReport cheap(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   static bool simplerAhead(const State& x);
   StepReport simpler(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   StepReport joined(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);

@@ -9,6 +9,7 @@ void ImpactProblem::pose(const Posing& from, const State& x, double step, const 
   G = &delassus_, contacts = &from_->contacts;
   dt = step, corrected = Corrected::never;
   effort = from.limits.effort, workers = from.limits.workers, stop = from.limits.stop;
+  work = from.limits.work;
   freeMotion(from, x);
   gammaOf(uFree_, gammaFree);
   if (aim && from.main &&

@@ -23,6 +23,7 @@ struct StepLimits {
   bool neutral = false;
   Workers* workers = nullptr;               ///< threads; null: the caller's alone. Borrowed.
   const std::atomic<bool>* stop = nullptr;  ///< solvers stop once it is set; null: never. Borrowed.
+  SolverWork* work = nullptr;  ///< counts what solvers do; null: nobody does. Borrowed.
   Delassus::Form form = Delassus::Form::automatic;  ///< of G; tests compare all of them
 };
 

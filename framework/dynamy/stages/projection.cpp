@@ -99,6 +99,7 @@ void Projection::select(const MechanicalSystem& s, const ContactSet& all, const 
   }
   const auto n = static_cast<std::size_t>(contacts_.rows());
   problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.stop = s.limits.stop;
+  problem_.work = s.limits.work;
   problem_.c.assign(contacts_.position.begin(), contacts_.position.end());
   problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0), Lambda_.assign(n, 0.0);
 }
@@ -109,10 +110,11 @@ bool Projection::solve(const Evaluation& e, InclusionSolver& solver) {
   problem_.uRef = 0.0;
   for (const double c : problem_.c) problem_.uRef = std::max(problem_.uRef, std::abs(c));
   const auto n = static_cast<Eigen::Index>(Lambda_.size());
-  const bool ok = solver.solve(problem_, {Lambda_.data(), n}).ok();
+  const SolveReport solved = solver.solve(problem_, {Lambda_.data(), n});
+  count(problem_, solved);
   delta_.setZero(e.h.size());
   delassus_.addVelocity(Lambda_.data(), view(delta_));
-  return ok;
+  return solved.ok();
 }
 
 bool Projection::positions(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
@@ -270,6 +272,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
   if (!any) return std::nullopt;
   const auto n = static_cast<std::size_t>(contacts_.rows());
   problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.stop = s.limits.stop;
+  problem_.work = s.limits.work;
   problem_.effort = Effort::retried;  // the scheme tries again with half the step
   problem_.c.assign(n, 0.0), problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0);
   Lambda_.assign(n, 0.0);

@@ -85,6 +85,7 @@ Passing Sweep::search(const MechanicalSystem& s) {
   Passing first;
   for (std::size_t i = 0; i < s.parts().contacts.size(); ++i) {
     const Passing p = s.parts().contacts[i]->firstPassing(path_, static_cast<int>(i));
+    work_ += p.work;
     if (p.t < first.t) first = p;
   }
   return first;

@@ -19,6 +19,8 @@ class Sweep {
   Passing ahead(const MechanicalSystem& s, const State& a, double dt);
   /// Number of paths searched so far.
   long paths() const { return paths_; }
+  /// Work of the searches, in evaluations of one velocity.
+  double work() const { return work_; }
 
  private:
   int pieces(const MechanicalSystem& s, const State& a, const State& b);
@@ -30,6 +32,7 @@ class Sweep {
   SweptPath path_;
   State at_;
   long paths_ = 0;
+  double work_ = 0.0;
 };
 
 }  // namespace dynamy

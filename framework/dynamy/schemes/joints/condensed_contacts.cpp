@@ -133,7 +133,7 @@ void CondensedContacts::select(const MechanicalSystem& s, const State& xA, const
       impulse_ += Lambda_[row] * w_;
     }
   problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.dt = dt;
-  problem_.stop = s.limits.stop;
+  problem_.stop = s.limits.stop, problem_.work = s.limits.work;
   problem_.gammaA.assign(n, 0.0), problem_.gammaFree.assign(n, 0.0), problem_.c.assign(n, 0.0);
   problem_.cNoise.assign(n, 0.0);
   if (n > 0) contacts_.gamma(view(xA.u), {problem_.gammaA.data(), contacts_.rows()});

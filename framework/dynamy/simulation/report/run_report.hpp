@@ -158,9 +158,10 @@ struct PassingReport {
   int finest = 1;    ///< most of these parts
   long parted = 0;   ///< steps taken in parts, because a body would have passed a contact
   long left = 0;     ///< steps with too many parts, whose rest was taken without a search
+  long bounded = 0;  ///< full steps that used up their work: the rest was taken at a small cost
   Worst firstLeft;   ///< first step counted by `left`, and the contact passed; no value
   /// Without `swept`: a resumed run counts its own.
-  void archive(Archive& a) { a(divided), a(finest), a(parted), a(left), a(firstLeft); }
+  void archive(Archive& a) { a(divided), a(finest), a(parted), a(left), a(bounded), a(firstLeft); }
 };
 
 /// Steps that a simpler scheme took, StepReport::simpler.

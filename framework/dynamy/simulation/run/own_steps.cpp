@@ -21,9 +21,9 @@ bool OwnSteps::advance(Stepper& stepper, double until) {
   double most = end - stepper.t();
   if (largest_ > 0.0) most = std::min(most, largest_);
   for (int i = 0;; ++i) {
-    const long before = stepper.evaluations();
-    const StepReport report = stepper.attempt(stepper.t() + most, most);
-    const int tries = mostParts(nu_, stepper.evaluations() - before);
+    const long before = stepper.spent().evaluations;
+    const StepReport report = stepper.attempt(stepper.t() + most, most, false);
+    const int tries = mostParts(nu_, stepper.spent().evaluations - before);
     const bool sound = stepper.sound();
     if (const Passing p = sound ? stepper.passing() : Passing{}) {
       if (i < tries) {

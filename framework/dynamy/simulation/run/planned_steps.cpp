@@ -27,7 +27,7 @@ Advance PlannedSteps::next(Stepper& stepper, double until) {
   const double rest = stop - stepper.t();
   if (isPassed(stop, stepper.t())) return Advance::atEnd;
   const double most = bound(stepper, rest);
-  stepper.attempt(most == rest ? stop : stepper.t() + most, most);
+  stepper.attempt(most == rest ? stop : stepper.t() + most, most, false);
   ++taken_;
   return stepper.accept() && stepper.pause(false) ? Advance::taken : Advance::stopped;
 }

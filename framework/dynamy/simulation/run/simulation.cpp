@@ -77,6 +77,7 @@ Simulation::Simulation(Model& model, const StepPlan* plan)
       observers_(model, report_),
       unsolved_(model, system_, report_.solver.unsolved) {
   sleep_.begin(system_.parts());
+  system_.limits.work = &solvers_;
 }
 
 void Simulation::record(RecordSink& sink) { observers_.record(sink); }
@@ -175,11 +176,12 @@ void Simulation::end() {
   observers_.sumUp();
 }
 
-StepReport Simulation::attempt(double tEnd, double dt) {
+StepReport Simulation::attempt(double tEnd, double dt, bool cheaply) {
   // Else seen at the step's end.
   if ((step_.attempted() || !whole_) && stopped()) throw Stopped{};
   const long evaluations = system_.evaluations();
-  if (!step_.take(tEnd, dt, stop_)) throw Stopped{};
+  if (!step_.take(tEnd, dt, stop_, cheaply)) throw Stopped{};
+  cheap_ |= cheaply;
   report_.cost.evaluations += system_.evaluations() - evaluations;
   return step_.report();
 }
@@ -196,6 +198,12 @@ Passing Simulation::passing(double ahead) {
 void Simulation::divided(int parts) {
   ++report_.passing.divided;
   report_.passing.finest = std::max(report_.passing.finest, parts);
+}
+
+Spent Simulation::spent() const {
+  const double visits = static_cast<double>(solvers_.visits), nu = model_.topology().nu();
+  const long n = report_.cost.evaluations;
+  return {n, nu * static_cast<double>(n) + sweep_.work() + visits};
 }
 
 void Simulation::leave(const Passing& p) {
@@ -246,6 +254,7 @@ bool Simulation::fail(const StepReport& report) {
 
 bool Simulation::pause(bool asked) {
   whole_ = true, step_.settle();
+  if (std::exchange(cheap_, false)) ++report_.passing.bounded;
   const Clock::time_point now = Clock::now();
   idle_.at(now);
   const bool stop = stopped(), due = checkpoints_.due(now);
@@ -266,7 +275,7 @@ bool Simulation::endBecause(std::string reason, RunReport::Cause cause) {
 }
 
 void Simulation::archive(Archive& a) {
-  a.section("dynamy checkpoint 14");  // the number counts changes of the layout
+  a.section("dynamy checkpoint 15");  // the number counts changes of the layout
   a(step_), a(*loop_), a(report_), a(observers_);
 }
 

@@ -85,7 +85,7 @@ class Simulation final : private Stepper {
   std::string archived();
 
  private:
-  StepReport attempt(double tEnd, double dt) override;
+  StepReport attempt(double tEnd, double dt, bool cheaply) override;
   bool accept() override;
   void reject() override;
   bool fail(const StepReport& report) override;
@@ -96,7 +96,7 @@ class Simulation final : private Stepper {
   void leave(const Passing& p) override;
   double t() const override { return step_.x().t; }
   double nextStep() const override { return model_.scheme().nextStep(step_.x()); }
-  long evaluations() const override { return report_.cost.evaluations; }
+  Spent spent() const override;
   bool pause(bool asked) override;
 
   template <class Call>
@@ -128,6 +128,8 @@ class Simulation final : private Stepper {
   /// Observers and loop are at the state of the last pause, which is the state before the step if
   /// one was attempted since.
   bool whole_ = false;
+  SolverWork solvers_;
+  bool cheap_ = false;  // a part of the present full step was taken at a small cost
   bool resumed_ = false;
   bool begun_ = false, over_ = false;
 };

@@ -37,7 +37,7 @@ StartReport StepAttempt::start() {
   return report;
 }
 
-bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop) {
+bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop, bool cheaply) {
   attempted_ = true;
   if (sleep_ != nullptr && sleep_->allAsleep() && x_.memory.size() == 0) {
     // No number but t changes. Observers see a system without contacts, which is evaluated once.
@@ -51,7 +51,7 @@ bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop) {
   const bool last = isSet(stop);  // the run ends after this step, which is to be solved
   const bool searches = !model_.scheme().choosesSteps();
   system_.limits.stop = last ? nullptr : stop;
-  const Effort effort = searches ? searches_.next() : Effort::full;
+  const Effort effort = cheaply ? Effort::little : searches ? searches_.next() : Effort::full;
   system_.limits.pushOut = searches ? model_.simulation.step : 0.0;
   system_.limits.neutral =
       searches && model_.schemeIsDefault() && dt < kPart * model_.simulation.step;
@@ -66,7 +66,8 @@ bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop) {
     return false;
   }
   // After a failed search a scheme lowers the effort for the rest of the attempt.
-  if (searches) searches_.done(system_.limits.effort == Effort::full), x_.t = tEnd;
+  if (searches && !cheaply) searches_.done(system_.limits.effort == Effort::full);
+  if (searches) x_.t = tEnd;
   project();
   system_.remember(x_);
   return true;

@@ -22,7 +22,8 @@ class StepAttempt {
   /// Takes one step of length dt [s] to the instant tEnd [s]. Schemes that choose their steps may
   /// stop earlier. If `stop` becomes true meanwhile, the step is undone and the result is false; a
   /// flag that is true before is ignored. Null: no flag.
-  bool take(double tEnd, double dt, const std::atomic<bool>* stop);
+  /// `cheaply`: solvers and the scheme are to make little effort.
+  bool take(double tEnd, double dt, const std::atomic<bool>* stop, bool cheaply = false);
   /// Goes back to the state before the step.
   void undo() { x_ = before_; }
   /// The same without memory; the step cannot be seen any more.

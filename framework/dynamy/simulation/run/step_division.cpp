@@ -35,7 +35,8 @@ int StepDivision::begin() {
 
 int StepDivision::parts(const Coarseness& c, double share, long most) {
   if (!divides_ || !(share > 0.0)) return 1;
-  const double bound = std::min(static_cast<double>(most), kMostEqual);
+  const double bound =
+      std::min(std::exp2(std::floor(std::log2(static_cast<double>(most)))), kMostEqual);
   // What cannot be resolved is damped instead, and costs no parts.
   const bool resolvable = c.swing <= share * bound;
   if (!resolvable) swings_ = false;

@@ -12,8 +12,10 @@ constexpr int kFewer = 4, kMore = 2;
 constexpr int kExpected = 10;
 constexpr long kFirstMore = 2;  ///< evaluations of the first attempt beside those of others
 constexpr long kMostParts = 2000, kFewestParts = 8;
-/// Parts times evaluations times velocities, of equal parts and of those for fast bodies.
-constexpr long kWork = 48000, kFastWork = 144000;
+/// Tries times evaluations times velocities, where the scheme chooses its steps.
+constexpr long kFastWork = 144000;
+/// Evaluations of an attempt that is to cost little.
+constexpr long kFewest = 8;
 /// A remaining time up to this share of the instant counts as zero.
 constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
 
@@ -24,7 +26,9 @@ long partsWithin(long work, int nu, long evaluations) {
 
 bool isPassed(double instant, double t) { return !(instant - t > kTimeNoise * std::abs(instant)); }
 
-long partsWithinWork(int nu, long evaluations) { return partsWithin(kWork, nu, evaluations); }
+long partsWithinWork(int nu, long evaluations) {
+  return partsWithin(static_cast<long>(StepBudget::kEqual), nu, evaluations);
+}
 
 int mostParts(int nu, long evaluations) {
   return static_cast<int>(
@@ -57,7 +61,7 @@ Advance FixedStep::next(Stepper& stepper, double until) {
   if (rest_ && isPassed(until, stepper.t())) return Advance::atEnd;
   rest_ = false;
   const double dt = grid_.spacing();
-  parts_.begin(), halves_.begin();
+  parts_.begin(), halves_.begin(), budget_.begin();
   if (quiet_ <= kExpected) ++quiet_;
   // Full steps as long as they do not pass the end by more than rounding.
   if (grid_.at(i_ + 1) <= until + 1e-9 * dt) {
@@ -76,13 +80,25 @@ Advance FixedStep::next(Stepper& stepper, double until) {
 }
 
 void FixedStep::archive(Archive& a) {
-  a(i_), a(quiet_), parts_.archive(a), halves_.archive(a), division_.archive(a);
+  a(i_), a(quiet_), parts_.archive(a), halves_.archive(a), division_.archive(a), budget_.archive(a);
   if (quiet_ < 0) throw ModelError("the checkpoint counts quiet steps from below zero");
   if (i_ < 0) throw ModelError("the checkpoint counts its steps from below zero");
 }
 
 Passing FixedStep::ahead(Stepper& stepper, double dt) {
-  return quiet_ <= kExpected && !parts_.exhausted() ? stepper.passing(dt) : Passing{};
+  if (quiet_ > kExpected || parts_.exhausted() || budget_.exhausted()) return {};
+  const double before = stepper.spent().work;
+  const Passing p = stepper.passing(dt);
+  budget_.spend(stepper.spent().work - before);
+  return p;
+}
+
+Passing FixedStep::passed(Stepper& stepper) {
+  if (parts_.exhausted()) return {};
+  const double before = stepper.spent().work;
+  const Passing p = stepper.passing();
+  budget_.spend(stepper.spent().work - before);
+  return p;
 }
 
 bool FixedStep::sampled(Stepper& stepper, double tEnd, double dt) {
@@ -103,7 +119,8 @@ bool FixedStep::full(Stepper& stepper, double tEnd, double dt) {
 
 int FixedStep::partsOf(Stepper& stepper, double dt, long evaluations) {
   if (!division_.divides()) return 1;
-  const long most = std::max(partsWithinWork(nu_, evaluations), 1l);
+  // Parts for which the budget is too small are taken at the least cost.
+  const long most = std::max(partsWithinWork(nu_, std::min(evaluations, kFewest)), 1l);
   return division_.parts(stepper.coarseness(), dt / whole_, most);
 }
 
@@ -122,28 +139,30 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
     if (parts_.take()) return inParts(stepper, p, tEnd, dt, depth);
     stepper.leave(p);
   }
-  const long before = stepper.evaluations();
-  const StepReport report = stepper.attempt(tEnd, dt);
+  const Spent before = stepper.spent();
+  const StepReport report = stepper.attempt(tEnd, dt, budget_.exhausted());
+  const Spent after = stepper.spent();
   // The first attempt of a run, also of a resumed one, looks for joints besides.
-  const long counted = stepper.evaluations() - before;
+  const long counted = after.evaluations - before.evaluations;
   const long evaluations = first_ ? std::max(counted - kFirstMore, 1l) : counted;
   first_ = false;
-  parts_.atMost(mostParts(nu_, evaluations));
+  budget_.spend(after.work - before.work);
   const bool sound = stepper.sound(), good = sound && report.solved.ok();
   // Too coarse for the motion: all else is looked at in its parts.
   if (const int n = sound ? partsOf(stepper, dt, evaluations) : 1; n > 1) {
     stepper.reject();
     return divide(stepper, tEnd, dt, n);
   }
-  if (const Passing p = sound && !parts_.exhausted() ? stepper.passing() : Passing{}) {
-    if (parts_.take()) {
+  if (const Passing p = sound ? passed(stepper) : Passing{}) {
+    if (!budget_.exhausted() && parts_.take()) {
       stepper.reject();
       return inParts(stepper, p, tEnd, dt, depth);
     }
+    parts_.exhaust();
     stepper.leave(p);
   }
   const bool retry = !good && policy_ == NonConvergence::retry;
-  if (retry && depth == kMostHalvings) halves_.exhaust();
+  if (retry && (depth == kMostHalvings || budget_.exhausted())) halves_.exhaust();
   // A state that is not sound would end the run, so all halvings are allowed for it.
   if (retry && (sound ? !halves_.exhausted() && halves_.take()
                       : depth < kMostHalvings)) {  // the same step in two halves

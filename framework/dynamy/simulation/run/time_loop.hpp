@@ -7,11 +7,18 @@
 #include <dynamy/simulation/model/settings.hpp>
 #include <dynamy/simulation/model/time_grid.hpp>
 #include <dynamy/simulation/run/sample_instants.hpp>
+#include <dynamy/simulation/run/step_budget.hpp>
 #include <dynamy/simulation/run/step_division.hpp>
 #include <dynamy/stages/sweep.hpp>
 #include <utility>
 
 namespace dynamy {
+
+/// What all attempts and searches of a run have cost so far.
+struct Spent {
+  long evaluations = 0;  ///< of M, h and contacts
+  double work = 0.0;     ///< in evaluations of one velocity (theory 37.7)
+};
 
 /// The interface through which a loop takes steps.
 class Stepper {
@@ -20,7 +27,8 @@ class Stepper {
   /// Takes one step of the scheme from the current state, of length dt to the instant tEnd (t + dt
   /// up to rounding). Schemes that choose their steps may stop earlier. The state before the step
   /// is kept until accept() or reject().
-  virtual StepReport attempt(double tEnd, double dt) = 0;
+  /// `cheaply`: at a small cost, because the full step has used up its work; the run reports this.
+  virtual StepReport attempt(double tEnd, double dt, bool cheaply) = 0;
   /// Accepts the attempted step; observers see it. False: the run is to end (failed or stopped).
   virtual bool accept() = 0;
   /// Goes back to the state before the attempt.
@@ -43,8 +51,7 @@ class Stepper {
   /// Length that the scheme would try next [s]; 0: it does not choose its steps, or does not know
   /// yet.
   virtual double nextStep() const = 0;
-  /// Number of evaluations of M, h and contacts in all attempts so far.
-  virtual long evaluations() const = 0;
+  virtual Spent spent() const = 0;
   /// Called between two full steps of the loop: a run can be resumed from a state archived here.
   /// `asked`: archive it in any case, because the next step is shortened by the end time. False:
   /// the run is to end.
@@ -101,20 +108,21 @@ class Allowance {
 };
 
 /// Number of parts of a step of a model with nu velocities, each of which costs `evaluations`
-/// evaluations of all bodies, such that parts times evaluations times velocities are at most 48 000.
+/// evaluations of all bodies, within the budget of a step.
 long partsWithinWork(int nu, long evaluations);
-/// The same with 144 000 for the parts into which a step is cut for fast bodies, which few steps
-/// need: there may always be 8 of them, and never more than 2000.
+/// The same with 144 000 velocities for the tries of a step whose length the scheme chooses: there
+/// may always be 8 of them, and never more than 2000.
 int mostParts(int nu, long evaluations);
 
 /// Steps of length Δt from a counter: t = iΔt, the last one is shortened to end at `until`; if
 /// `until` is moved ahead after that, the remainder of this step comes first. A step
 /// that would pass a contact is taken in parts: up to the contact, across it in a very short part,
 /// and the rest. A step whose inclusion is not solved is taken in halves. The smallest length of a
-/// part and the allowances limit both; beyond them the rest of the step is taken as it is.
+/// part, the allowances and the budget of the step limit both; beyond them the rest of the step is
+/// taken as it is, and beyond the budget at a small cost.
 class FixedStep final : public TimeLoop {
  public:
-  /// `nu`: number of velocities of the model, which limits the parts of a step, see mostParts().
+  /// `nu`: number of velocities of the model, which limits the parts of a step.
   /// `divides`: steps that are too coarse are divided into equal parts. Steps end at `samples`.
   FixedStep(double dt, NonConvergence policy, int nu, bool divides = false,
             SampleInstants samples = {})
@@ -126,6 +134,8 @@ class FixedStep final : public TimeLoop {
   /// Finds a contact that a step would pass. Without fast bodies in the last steps, nothing is
   /// looked for: the step itself shows it.
   Passing ahead(Stepper& stepper, double dt);
+  /// Finds a contact that the attempted step has passed.
+  Passing passed(Stepper& stepper);
   /// Takes a full step up to each instant at which an element samples the motion, and to tEnd.
   bool sampled(Stepper& stepper, double tEnd, double dt);
   /// Takes a full step, in as many equal parts as the last one needed.
@@ -145,7 +155,8 @@ class FixedStep final : public TimeLoop {
   long i_ = 0;  // full steps done
   int nu_;
   StepDivision division_;
-  double whole_ = 0.0;   // length of the present full step [s]
+  double whole_ = 0.0;  // length of the present full step [s]
+  StepBudget budget_;
   int quiet_ = 1 << 20;  // full steps since one was taken in parts
   Allowance parts_{2000, 50.0}, halves_{24};
   bool first_ = true;  // no attempt yet

@@ -15,6 +15,7 @@ bool beyondNoise(const InclusionProblem& problem, std::size_t k) {
 
 SolveReport ImpactLaw::solve(InclusionProblem& problem, InclusionSolver& solver, Vec Lambda) const {
   SolveReport report = guarded(problem, solver, Lambda);
+  count(problem, report);
   if (!report.ok() && guard_.bound(problem, Lambda))
     report.residuals = residuals(problem, view(Lambda), scratch_);
   return report;

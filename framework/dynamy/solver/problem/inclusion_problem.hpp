@@ -25,6 +25,11 @@ enum class Corrected {
   byGapsLoosely  ///< the next step, by its gaps, after a step that was not solved to rounding
 };
 
+/// Work of solvers.
+struct SolverWork {
+  long visits = 0;  ///< contacts times iterations
+};
+
 struct InclusionProblem {
   Delassus* G = nullptr;
   const ContactSet* contacts = nullptr;
@@ -45,6 +50,9 @@ struct InclusionProblem {
   Workers* workers = nullptr;  ///< null: the caller's thread alone
   /// Set by another thread or a signal when the solution is no longer needed; null: never.
   const std::atomic<bool>* stop = nullptr;
+  /// Counts how often solvers have visited a contact, or taken it in a Newton step; null: nobody
+  /// does. Borrowed.
+  SolverWork* work = nullptr;
   /// True if no more work is wanted. Solvers check it at intervals and return their best Λ so far.
   bool enough() const {
     return (stop != nullptr && stop->load(std::memory_order_relaxed)) || (rule && rule->enough());

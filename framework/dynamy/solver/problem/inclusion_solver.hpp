@@ -60,6 +60,12 @@ struct SolveReport {
   }
 };
 
+/// Counts the work of a solution, if the problem wants it counted.
+inline void count(const InclusionProblem& p, const SolveReport& report) {
+  if (p.work == nullptr) return;
+  p.work->visits += static_cast<long>(p.size()) * (report.iterations + 1);
+}
+
 /// A start with E_f and E_u below this is accepted unchanged; a worse one is improved at least
 /// once, even if it fulfils the tolerance. Rejected: to accept a start at the tolerance. Its
 /// velocity errors would then never be corrected: a resting contact drifts by tolerance · u_ref ·

@@ -308,7 +308,7 @@ TEST(Simulation, RefusesACheckpointOfAnotherLayoutByItsNumber) {
     t.resume(old);
     FAIL() << "was taken";
   } catch (const ModelError& e) {
-    EXPECT_NE(std::string(e.what()).find("\"dynamy checkpoint 24\""), std::string::npos)
+    EXPECT_NE(std::string(e.what()).find("\"dynamy checkpoint 25\""), std::string::npos)
         << e.what();
   }
 }

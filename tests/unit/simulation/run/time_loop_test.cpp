@@ -90,8 +90,8 @@ TEST(SearchPauses, AreKeptAndExamined) {
 /// A stepper that answers as told, and counts.
 class Counted final : public Stepper {
  public:
-  StepReport attempt(double tEnd, double dt) override {
-    ++attempts;
+  StepReport attempt(double tEnd, double dt, bool cheaply) override {
+    ++attempts, cheap += cheaply;
     begin_ = t_, t_ = tEnd;
     StepReport report;
     report.dt = dt;
@@ -113,14 +113,15 @@ class Counted final : public Stepper {
   void leave(const Passing&) override { ++left; }
   double t() const override { return t_; }
   double nextStep() const override { return 0.0; }
-  long evaluations() const override { return attempts; }
+  Spent spent() const override { return {attempts, workOfOne * static_cast<double>(attempts)}; }
   bool pause(bool) override { return true; }
 
   std::function<bool(double)> solves = [](double) { return true; };
   bool passes = false;
   double passesAbove = 1e9;  // length from which a step passes a contact in its middle [s]
   double turnRate = 0.0;     // [rad/s]
-  long attempts = 0, rejected = 0, left = 0, divisions = 0;
+  double workOfOne = 6.0;    // work of an attempt
+  long attempts = 0, rejected = 0, left = 0, divisions = 0, cheap = 0;
   int finest = 0;
 
  private:
@@ -189,8 +190,52 @@ TEST(FixedSteps, ThatAreTooLongForTheMotionHaveEqualParts) {
   EXPECT_EQ(s.attempts, 1 + 10 * 4 + 10);
 }
 
+TEST(FixedSteps, ThatAreAlwaysPassedStayWithinTheirBudget) {
+  Counted s;
+  s.passes = true;
+  s.workOfOne = 1000.0;
+  FixedStep loop(1.0, NonConvergence::retry, 6);
+  loop.next(s, 1000.0);
+  EXPECT_GT(s.cheap, 0);
+  for (int i = 0; i < 50; ++i) loop.next(s, 1000.0);
+  const long before = s.attempts;
+  for (int i = 0; i < 100; ++i) loop.next(s, 1000.0);
+  // What is left after the budget is taken by the parts begun: up to the contact, across it, the
+  // rest.
+  EXPECT_LE(static_cast<double>(s.attempts - before) * s.workOfOne,
+            100 * (StepBudget::kWork + 3.0 * s.workOfOne));
+}
+
+TEST(FixedSteps, WhoseFirstTryCostsAllStillHaveThree) {
+  Counted s;
+  s.passes = true;
+  s.workOfOne = 10.0 * StepBudget::kWork;
+  FixedStep loop(1.0, NonConvergence::retry, 6);
+  for (int i = 0; i < 10; ++i) loop.next(s, 1000.0);
+  const long before = s.attempts;
+  loop.next(s, 1000.0);
+  EXPECT_GE(s.attempts - before, 3);
+  EXPECT_LE(s.attempts - before, 6);
+}
+
+TEST(StepBudget, SavesWhatStepsLeaveForOthers) {
+  StepBudget b;
+  for (int i = 0; i < 1000; ++i) b.begin(), b.spend(0.1 * StepBudget::kWork);
+  b.begin(), b.spend(1.0);
+  b.spend(50.0 * StepBudget::kWork);
+  EXPECT_FALSE(b.exhausted());
+  b.spend(200.0 * StepBudget::kWork);
+  EXPECT_TRUE(b.exhausted());
+  for (int i = 0; i < 2; ++i) {  // nothing is left for the next ones
+    b.begin(), b.spend(1.0);
+    EXPECT_FALSE(b.exhausted());
+    b.spend(1.1 * StepBudget::kWork);
+    EXPECT_TRUE(b.exhausted());
+  }
+}
+
 TEST(FixedSteps, OfManyBodiesHaveFewerParts) {
-  EXPECT_EQ(partsWithinWork(180, 2), 133);
+  EXPECT_EQ(partsWithinWork(180, 2), 111);
   EXPECT_EQ(partsWithinWork(100000, 1), 0);
 
   EXPECT_EQ(mostParts(0, 0), 2000);

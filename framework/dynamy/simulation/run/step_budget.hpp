@@ -1,0 +1,45 @@
+/// StepBudget: the work that a step of given length may take, with all its tries, halves and parts
+/// (theory 37.7). Work is counted in evaluations of one velocity, of which 1 µs is typical.
+///
+///   spent > B + saved   and   spent > 3 · (work of the step's first try)     the budget is exhausted
+///
+/// What steps leave is saved for others: hits come in bursts. What a step takes beyond the budget,
+/// because its first try costs more, is taken from later ones.
+#pragma once
+#include <algorithm>
+#include <dynamy/core/archive.hpp>
+#include <dynamy/core/error.hpp>
+
+namespace dynamy {
+
+class StepBudget {
+ public:
+  static constexpr double kWork = 50000.0;  ///< B
+  /// Work of the equal parts of a step that is too long for the motion, if nothing else is done.
+  static constexpr double kEqual = 40000.0;
+  void begin() {
+    saved_ = std::clamp(saved_ + kWork - spent_, -kWork, kMostSaved);
+    spent_ = first_ = 0.0;
+  }
+  /// A try has taken this work.
+  void spend(double work) {
+    if (!(first_ > 0.0)) first_ = work;
+    spent_ += work;
+  }
+  /// True: the rest of the step is to cost little.
+  bool exhausted() const { return spent_ > std::max(kWork + saved_, kFewestTries * first_); }
+  /// Throws ModelError on numbers that no run produces.
+  void archive(Archive& a) {
+    a(saved_), a(spent_);
+    if (!(saved_ >= -kWork && saved_ <= kMostSaved) || !(spent_ >= 0.0))
+      throw ModelError("the checkpoint leaves no step its work");
+  }
+
+ private:
+  static constexpr double kFewestTries = 3.0;
+  static constexpr double kMostSaved = 100.0 * kWork, kSavedAtFirst = 30.0 * kWork;
+  double saved_ = kSavedAtFirst;
+  double spent_ = 0.0, first_ = 0.0;
+};
+
+}  // namespace dynamy
