@@ -75,7 +75,8 @@ class DiscSearch {
   void across(const DiscBody& one, const DiscBody& other, double sign) {
     const Vec3 x = one.cosine() * one.a.unitOrthogonal(), o = one.tip ? one.middle(1) : one.c;
     const DiscArc arc{other, x, one.a.cross(x), other.c - o, one.sine() * one.a};
-    arc.tops(2.0 * std::numbers::pi, [&](const Vec3& n, double) { take(sign * n); });
+    arc.tops(2.0 * std::numbers::pi, std::max(best_.f, least_),
+             [&](const Vec3& n, double) { take(sign * n); });
   }
   void rims() {
     const Vec3 way = B_.c - A_.c;

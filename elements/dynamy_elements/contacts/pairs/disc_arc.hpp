@@ -1,5 +1,6 @@
 /// Separation of a round body from a point for the directions of an arc, and its local maxima.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <dynamy_elements/contacts/pairs/disc_body.hpp>
 #include <numbers>
@@ -18,9 +19,9 @@ struct DiscArc {
 
   Vec3 n(double angle) const { return std::cos(angle) * n0 + std::sin(angle) * m + lift; }
 
-  /// Calls take(n, f) for all n inside of 0 … end [rad] where f may be largest.
+  /// Calls take(n, f) for all n inside of 0 … end [rad] where f may be largest and above `least`.
   template <class Take>
-  void tops(double end, Take&& take) const {
+  void tops(double end, double least, Take&& take) const {
     // f is searched piece by piece, between the places where it has a kink.
     const double u = n0.dot(B.a), w = m.dot(B.a);
     double places[6] = {0.0};
@@ -43,13 +44,19 @@ struct DiscArc {
       kinks(axis + beside, 2.0 * pi), kinks(axis - beside, 2.0 * pi);
     }
     places[pieces] = end;
-    const int parts = lift.isZero(0.0) ? 1 : kParts;
     for (int p = 0; p < pieces; ++p) {
       if (p > 0) take(n(places[p]), f(n(places[p])));
-      const double l = places[p] + kBeside, r = places[p + 1] - kBeside, width = (r - l) / parts;
-      for (int k = 0; k < (l < r ? parts : 0); ++k)
-        if (const double at = top(l + k * width, l + (k + 1) * width); at >= 0.0)
-          take(n(at), f(n(at)));
+      const double l = places[p] + kBeside, r = places[p + 1] - kBeside;
+      const int parts =
+          lift.isZero(0.0) ? std::max(1, static_cast<int>(std::ceil((r - l) / kLongest))) : kParts;
+      const double width = (r - l) / parts;
+      if (!(l < r)) continue;
+      Place from = place(l);
+      for (int k = 1; k <= parts; ++k) {
+        const Place to = place(l + k * width);
+        topsIn(from, to, least, kHalvings, [&](double at) { take(n(at), f(n(at))); });
+        from = to;
+      }
     }
   }
 
@@ -58,6 +65,10 @@ struct DiscArc {
   static constexpr int kSteps = 100;
   /// Parts of a piece that are searched one by one where f may have several maxima.
   static constexpr int kParts = 8;
+  /// Longest part of a piece of a great circle [rad], and how often it is halved in search of a
+  /// hidden top. f'' + f ≤ 0 allows a minimum behind a maximum of f < 0; of f ≥ 0 it is π/2 away.
+  static constexpr double kLongest = std::numbers::pi / 4.0;
+  static constexpr int kHalvings = 4;
   /// Distance from the ends of a piece at which slopes are computed [rad].
   static constexpr double kBeside = 1e-9;
 
@@ -78,10 +89,32 @@ struct DiscArc {
     const double height = B.tip ? up(which, 1.0) : std::copysign(B.half, u);
     return w.dot(way) - height * du + rim;
   }
-  /// Where the slope falls through zero between l and r; −1: nowhere.
-  double top(double l, double r) const {
-    double sl = slope(l), sr = slope(r);
-    if (!(sl > 0.0 && sr < 0.0)) return -1.0;
+  struct Place {
+    double at, f, slope;
+  };
+  Place place(double angle) const { return {angle, f(n(angle)), slope(angle)}; }
+  /// Bound of f on the way w from a place with this f and slope: it solves f'' + f = 0.
+  static double atMost(double f, double slope, double w) {
+    const double peak = std::atan2(slope, f);
+    return peak > 0.0 && peak < w ? std::hypot(f, slope)
+                                  : std::max(f, f * std::cos(w) + slope * std::sin(w));
+  }
+  /// Calls found(θ) for the tops between two places. With slopes of other signs a top may hide beside
+  /// a minimum: f'' ≤ −f, so that a slope needs the way s / max(−f) from zero. f lies above the
+  /// solution of f'' + f = 0 through both ends.
+  template <class Found>
+  void topsIn(const Place& l, const Place& r, double least, int halvings,
+              const Found& found) const {
+    if (l.slope > 0.0 && r.slope < 0.0) return found(top(l.at, l.slope, r.at, r.slope));
+    const double w = r.at - l.at, deepest = -std::min(l.f, r.f) / std::cos(0.5 * w);
+    if (halvings == 0 || std::max(-l.slope, 0.0) + std::max(r.slope, 0.0) >= deepest * w ||
+        std::min(atMost(l.f, l.slope, w), atMost(r.f, -r.slope, w)) <= least)
+      return;
+    const Place mid = place(l.at + 0.5 * w);
+    topsIn(l, mid, least, halvings - 1, found), topsIn(mid, r, least, halvings - 1, found);
+  }
+  /// Where the slope falls through zero between l and r, with slopes sl > 0 > sr.
+  double top(double l, double sl, double r, double sr) const {
     for (int i = 0; i < kSteps && r - l > 1e-14; ++i) {
       // False position and halving in turn.
       const double at = i % 2 == 0 ? l + (r - l) * sl / (sl - sr) : 0.5 * (l + r);

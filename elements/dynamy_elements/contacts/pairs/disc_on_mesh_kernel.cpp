@@ -1,3 +1,4 @@
+#include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/pairs/cone_side.hpp>
 #include <dynamy_elements/contacts/pairs/disc_arc.hpp>
 #include <dynamy_elements/contacts/pairs/disc_on_mesh.hpp>
@@ -174,7 +175,7 @@ class DiscOverMesh {
         e.g < 0 ? Vec3(A_.A_IK * first.out[static_cast<std::size_t>(e.sideF)]) : Vec3(A_.A_IK * g);
     const Vec3 across = (nE - n0.dot(nE) * n0).normalized();
     const DiscArc arc{B_, n0, across, B_.c - line.x};
-    arc.tops(std::atan2(across.dot(nE), n0.dot(nE)), [&](const Vec3& n, double) {
+    arc.tops(std::atan2(across.dot(nE), n0.dot(nE)), -kInfinity, [&](const Vec3& n, double) {
       const int rim = B_.rimAlong(-n);
       if (B_.radius(rim) > 0.0 && B_.touches(n)) onRim(rim, B_.rim(rim, -n));
     });

@@ -129,9 +129,10 @@ void Search::edge(int i, double least) {
   const Vec3 n0 = A_.R * body_.face(e.f).n, nE = A_.R * body_.face(e.g).n;
   const Vec3 m = (A_.R * e.e).cross(n0);
   const DiscArc arc{B_, n0, m, B_.c - A_.edge(i).o};
-  arc.tops(std::atan2(m.dot(nE), n0.dot(nE)), [&](const Vec3& n, double f) {
-    take({f, n, -1, i}, least);
-  });
+  arc.tops(std::atan2(m.dot(nE), n0.dot(nE)), std::max(best_.f, least),
+           [&](const Vec3& n, double f) {
+             take({f, n, -1, i}, least);
+           });
 }
 
 void Search::corner(int i, double least) {

@@ -60,9 +60,9 @@ void expectNotDeeper(const DiscContacts& found, int n, double f, int trial) {
   EXPECT_GT(least, f - 4e-6) << "trial " << trial;
 }
 
-TEST(TouchingSeparation, OfADiscAndAPolyhedronIsAtLeastThatAlongTheNormal) {
-  Random r(61);
-  for (int trial = 0; trial < kPlaces; ++trial) {
+void touchPolyhedra(unsigned seed, int places) {
+  Random r(seed);
+  for (int trial = 0; trial < places; ++trial) {
     const Polyhedron body =
         trial % 2 ? Polyhedron(r.hull(10)) : Polyhedron(boxTriangles({0.6, 0.4, 0.3}));
     const DiscSizes& s = kAll[trial / 2 % 7];
@@ -81,16 +81,23 @@ TEST(TouchingSeparation, OfADiscAndAPolyhedronIsAtLeastThatAlongTheNormal) {
       along = std::max(along, n.dot(A.frame.r_OS_I + A.frame.A_IK * p));
     const double f = -b.support(-n) - along;
     EXPECT_GT(separation(placed(A.frame, body), b), f - kRoundedGap)
-        << "trial " << trial << ", seed 61, gap " << gap;
+        << "trial " << trial << ", seed " << seed << ", gap " << gap;
     DiscContacts found;
     const int m = discOnPolyhedron(placed(A.frame, body), b, kInfinity, -1.0, true, found);
     expectNotDeeper(found, m, f, trial);
   }
 }
 
-TEST(TouchingSeparation, OfTwoDiscsIsAtLeastThatAlongTheNormal) {
-  Random r(62);
-  for (int trial = 0; trial < kPlaces; ++trial) {
+TEST(TouchingSeparation, OfADiscAndAPolyhedronIsAtLeastThatAlongTheNormal) {
+  touchPolyhedra(61, kPlaces);
+}
+
+TEST(LongTouchingSeparation, OfADiscAndAPolyhedron) { touchPolyhedra(65, 300000); }
+
+/// `missing`: by how much less the separation found may be [m].
+void touchDiscs(unsigned seed, int places, double missing) {
+  Random r(seed);
+  for (int trial = 0; trial < places; ++trial) {
     const DiscSizes &sA = kAll[trial % 7], &sB = kAll[trial / 7 % 7];
     Mover A = inSpace(r, Vec3::Zero()), B = inSpace(r, Vec3::Zero());
     const Vec3 n = r.vec().normalized();
@@ -103,8 +110,19 @@ TEST(TouchingSeparation, OfTwoDiscsIsAtLeastThatAlongTheNormal) {
     const double f = -b.support(-n) - a.support(n);
     DiscContacts found;
     expectNotDeeper(found, betweenDiscs(a, b, kInfinity, -1.0, true, found), f, trial);
-    EXPECT_GT(separation(a, b), f - kRoundedGap) << "trial " << trial << ", seed 62, gap " << gap;
+    EXPECT_GT(separation(a, b), f - missing)
+        << "trial " << trial << ", seed " << seed << ", gap " << gap;
   }
+}
+
+TEST(TouchingSeparation, OfTwoDiscsIsAtLeastThatAlongTheNormal) {
+  touchDiscs(62, kPlaces, kRoundedGap);
+}
+
+TEST(LongTouchingSeparation, OfTwoDiscs) {
+  // The separation of a normal that is off by δ is off by δ² of the radii of curvature, 1 m: its
+  // search may end at the square root of a hundredfold rounding in one case of many.
+  touchDiscs(66, 1000000, 1e-11);
 }
 
 TEST(TouchingSeparation, OfAnEllipsoidAndAPolyhedronHasTheNormalOfTouching) {
@@ -171,6 +189,52 @@ TEST(TouchingSeparation, OfRoundBodiesOnAMeshHasTheNormalOfTouching) {
       found = capsuleOnSurface(A.frame, mesh, B.frame, capsule(R, half), 0.1, out);
     }
     expectOne({out.data(), static_cast<std::size_t>(found)}, gap, n, trial);
+  }
+}
+
+/// Directions evenly spread on a spiral.
+std::vector<Vec3> spread(int count) {
+  std::vector<Vec3> all;
+  for (int k = 0; k < count; ++k) {
+    const double up = 1.0 - 2.0 * (k + 0.5) / count, out = std::sqrt(1.0 - up * up);
+    all.push_back({out * std::cos(2.399963 * k), out * std::sin(2.399963 * k), up});
+  }
+  return all;
+}
+
+/// Error of a separation of bodies of 1 m, with a margin of a hundred.
+constexpr double kRounded = 1e-13;
+
+TEST(DeepSeparation, OfTwoDiscsIsTheLargestOfAllDirections) {
+  // Bodies in each other: along arcs of directions a maximum may be followed by a minimum.
+  Random r(67);
+  const std::vector<Vec3> all = spread(3000);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Mover A = inSpace(r, Vec3::Zero()), B = inSpace(r, 0.5 * r.vec());
+    const DiscBody a = placedDisc(A.frame, kAll[trial % 7]),
+                   b = placedDisc(B.frame, kAll[trial / 7 % 7]);
+    double most = -kInfinity;
+    for (const Vec3& n : all) most = std::max(most, -b.support(-n) - a.support(n));
+    EXPECT_GT(separation(a, b), most - kRounded) << "trial " << trial;
+  }
+}
+
+TEST(DeepSeparation, OfADiscAndAPolyhedronIsTheLargestOfAllDirections) {
+  Random r(68);
+  const std::vector<Vec3> all = spread(3000);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Polyhedron body =
+        trial % 2 ? Polyhedron(r.hull(10)) : Polyhedron(boxTriangles({0.6, 0.4, 0.3}));
+    const Mover A = inSpace(r, Vec3::Zero()), B = inSpace(r, 0.4 * r.vec());
+    const DiscBody b = placedDisc(B.frame, kAll[trial / 2 % 7]);
+    double most = -kInfinity;
+    for (const Vec3& n : all) {
+      double along = -kInfinity;
+      for (const Vec3& p : body.corners())
+        along = std::max(along, n.dot(A.frame.r_OS_I + A.frame.A_IK * p));
+      most = std::max(most, -b.support(-n) - along);
+    }
+    EXPECT_GT(separation(placed(A.frame, body), b), most - kRounded) << "trial " << trial;
   }
 }
 
