@@ -146,7 +146,8 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   const long counted = after.evaluations - before.evaluations;
   const long evaluations = first_ ? std::max(counted - kFirstMore, 1l) : counted;
   first_ = false;
-  budget_.spend(after.work - before.work);
+  // A resumed run has the budget of one that goes on.
+  budget_.spend(after.work - before.work - static_cast<double>((counted - evaluations) * nu_));
   const bool sound = stepper.sound(), good = sound && report.solved.ok();
   // Too coarse for the motion: all else is looked at in its parts.
   if (const int n = sound ? partsOf(stepper, dt, evaluations) : 1; n > 1) {

@@ -50,8 +50,8 @@ struct InclusionProblem {
   Workers* workers = nullptr;  ///< null: the caller's thread alone
   /// Set by another thread or a signal when the solution is no longer needed; null: never.
   const std::atomic<bool>* stop = nullptr;
-  /// Counts how often solvers have visited a contact, or taken it in a Newton step; null: nobody
-  /// does. Borrowed.
+  /// Counts how often solvers have visited a contact, in sweeps and Newton steps alike; null:
+  /// nobody does. Borrowed.
   SolverWork* work = nullptr;
   /// True if no more work is wanted. Solvers check it at intervals and return their best Λ so far.
   bool enough() const {
