@@ -96,6 +96,15 @@ std::string placeOf(const std::string& signal) { return "/signals/" + signal; }
 
 // --- writing
 
+/// How datasets are made: without the time, so that the same run gives the same bytes.
+class Untimed final : public Handle {
+ public:
+  explicit Untimed(const std::function<void()>& fail)
+      : Handle(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, fail) {
+    if (H5Pset_obj_track_times(**this, false) < 0) fail();
+  }
+};
+
 /// A text of fixed length as attribute of an object, or as a dataset of its own.
 void writeText(const PackedFile& file, hid_t object, const char* name, const std::string& text,
                bool attribute) {
@@ -114,8 +123,9 @@ void writeText(const PackedFile& file, hid_t object, const char* name, const std
   }
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, failing);
   H5Pset_create_intermediate_group(*links, 1);
-  const Handle made(H5Dcreate2(object, name, *type, *space, *links, H5P_DEFAULT, H5P_DEFAULT),
-                    H5Dclose, failing);
+  const Untimed how(failing);
+  const Handle made(H5Dcreate2(object, name, *type, *space, *links, *how, H5P_DEFAULT), H5Dclose,
+                    failing);
   file.must(H5Dwrite(*made, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, whole.data()),
             fmt::format("cannot write {}", name));
 }
@@ -132,9 +142,9 @@ void writeNames(const PackedFile& file, std::span<const SignalName> signals) {
   H5Tset_strpad(*type, H5T_STR_NULLPAD);
   const hsize_t count = signals.size();
   const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, failing);
-  const Handle made(
-      H5Dcreate2(file.id(), "/names", *type, *space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-      H5Dclose, failing);
+  const Untimed how(failing);
+  const Handle made(H5Dcreate2(file.id(), "/names", *type, *space, H5P_DEFAULT, *how, H5P_DEFAULT),
+                    H5Dclose, failing);
   if (count > 0 && H5Dwrite(*made, *type, H5S_ALL, H5S_ALL, H5P_DEFAULT, names.data()) < 0)
     failing();
 }
@@ -145,8 +155,7 @@ void makeColumn(const PackedFile& file, const std::string& place, const std::str
   const auto failing = file.failing("cannot hold " + place);
   const hsize_t none = 0, endless = H5S_UNLIMITED;
   const Handle space(H5Screate_simple(1, &none, &endless), H5Sclose, failing);
-  const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, failing);
-  H5Pset_obj_track_times(*how, false);  // the same run gives the same bytes
+  const Untimed how(failing);
   if (H5Pset_chunk(*how, 1, &chunk) < 0 || H5Pset_shuffle(*how) < 0 ||
       H5Pset_deflate(*how, kDeflateLevel) < 0 || H5Pset_fletcher32(*how) < 0)
     failing();

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <bit>
+#include <chrono>
 #include <cstdint>
 #include <dynamy/io/files/file_error.hpp>
 #include <dynamy/io/run_files/packed_signals.hpp>
 #include <limits>
 #include <random>
+#include <thread>
 #include <unit/io/files/scratch_folder.hpp>
 
 namespace dynamy {
@@ -67,7 +69,9 @@ TEST(PackedSignals, OfTheSameRunHaveTheSameBytes) {
   const ScratchFolder scratch;
   const RunFolder a(scratch / "a"), b(scratch / "b");
   writeRows(a, 100), writeRows(b, 100);
-  packSignals(a, kSignals, "a run"), packSignals(b, kSignals, "a run");
+  packSignals(a, kSignals, "a run");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // in another second
+  packSignals(b, kSignals, "a run");
   EXPECT_EQ(readWholeFile(packedSignals(a)), readWholeFile(packedSignals(b)));
 }
 
