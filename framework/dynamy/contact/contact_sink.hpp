@@ -121,14 +121,14 @@ class ContactSink {
     presence(lift - kLowest * request_.flat), set_->features.circle.back() = 1;
   }
   void note(std::uint64_t id) { set_->features.noted.push_back(contactKey(element_, id)); }
-  /// Reports two bodies whose contacts come and go; overlap(): the depth of their overlap [m].
+  /// Reports two bodies whose contacts come and go; overlap(): the depth of their overlap [m], `id`:
+  /// the least number that a contact of theirs may have, `jumps`: their contacts jump.
   void comesAndGoes() { set_->features.comeAndGo = true; }
-  void overlap(double depth) { set_->features.overlap = std::max(set_->features.overlap, depth); }
-  /// overlap() of two bodies with contact `id`, whose contacts jump.
-  void overlap(double depth, std::uint64_t id) {
-    overlap(depth);
+  void overlap(double depth, std::uint64_t id, bool jumps) {
     FollowedFeatures& f = set_->features;
-    if (depth > f.jumpingOverlap) f.jumpingOverlap = depth, f.jumping = contactKey(element_, id);
+    if (depth > f.overlap) f.overlap = depth, f.deepest = contactKey(element_, id);
+    if (jumps && depth > f.jumpingOverlap)
+      f.jumpingOverlap = depth, f.jumping = contactKey(element_, id);
   }
   /// True: contacts are requested by key, and contact `id` of this element is not among them.
   bool leftOut(std::uint64_t id) const {

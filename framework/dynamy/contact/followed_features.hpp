@@ -18,8 +18,10 @@ struct FollowedFeatures {
   std::vector<char> circle;
   std::vector<ContactKey> noted;  ///< pairs that may touch soon
   bool comeAndGo = false;         ///< some contacts here come and go with the features that touch
-  /// Deepest overlap of bodies whose contacts come and go [m]; −∞: there are none.
+  /// Deepest overlap of bodies whose contacts come and go [m], −∞: there are none; and the least
+  /// number that a contact of theirs may have.
   double overlap = 0.0;
+  ContactKey deepest{};
   /// Of bodies whose contacts jump, so that they cannot be followed while they touch: deepest overlap
   /// [m], and a contact of theirs.
   double jumpingOverlap = 0.0;

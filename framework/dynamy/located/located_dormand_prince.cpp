@@ -8,8 +8,8 @@
 namespace dynamy {
 namespace {
 
-/// Work of an evaluation with 80 velocities and rows; one of a larger model is worth more of them.
-constexpr double kUsualEvaluation = 8e3;
+/// Velocities and rows of a usual evaluation, and its work; one of a larger model is worth more.
+constexpr double kUsualRows = 80, kUsualEvaluation = 100 * kUsualRows;
 constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to the step
 
 /// The time in which velocities u pass through their scales, between the times T_i of the fastest and
@@ -18,6 +18,11 @@ constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to
 double presentTime(const ErrorNorm& norm, const Eigen::VectorXd& u) {
   const double rate = (u.array().abs() / norm.velocityScales().array()).maxCoeff();
   return std::max(norm.time(), std::min(1.0 / rate, norm.times().maxCoeff()));
+}
+
+/// How often solvers have visited a contact so far.
+double visits(const MechanicalSystem& s) {
+  return s.limits.work != nullptr ? static_cast<double>(s.limits.work->visits) : 0.0;
 }
 
 /// Number of systems with velocities that are stepped in time.
@@ -192,6 +197,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   if (stepped.time <= 0.0) stepped.time = presentTime(norm, x.u);
   governor.scales(norm.tolerance(), stepped.time);
   islands_.start(s.parts());
+  const double visited = visits(s);
   steppedFrom_.t = x.t, steppedFrom_.q = x.q, steppedFrom_.u = x.u;
   steppedFrom_.memory = x.memory, steppedFrom_.impulses = x.impulses;
   const InTime taken = tryInTime(s, solver, x, dt);
@@ -218,10 +224,11 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   governor.told();
   const auto evaluated = static_cast<double>(evaluations);
   const double work = governed_.steppedWork(s, evaluated, taken.newton);
-  // Where the inclusion is not solved, its search in vain counts as well.
-  const double one = governed_.steppedWork(s, 1.0, 0.0);
+  // Where the inclusion is not solved, its search in vain counts as well: a visit of a contact costs
+  // as much as one velocity of an evaluation (theory section 37.7).
+  const double larger = std::max(1.0, governed_.steppedWork(s, 1.0, 0.0) / kUsualEvaluation);
   const double worth =
-      (report.solved.ok() ? evaluated : work / one) * std::max(1.0, one / kUsualEvaluation);
+      evaluated * larger + (report.solved.ok() ? 0.0 : (visits(s) - visited) / kUsualRows);
   governor.stepped(x.t, taken.h, taken.error, work, taken.rejected > 0, worth);
   governed_.state().next = nextInTime(clocks_.clocks(), x.t, governor.h());
   stepped.rate = steps_.rate(), stepped.overlap = steps_.overlap();

@@ -61,7 +61,7 @@ void ClosingContacts::write(ContactSet& c) const {
   c.candidateKey = all_.candidateKey, c.g = all_.g, c.candidateElement = all_.candidateElement;
   c.closedIndex.assign(all_.closedIndex.size(), -1);
   c.features.noted = all_.features.noted, c.features.comeAndGo = all_.features.comeAndGo;
-  c.features.overlap = all_.features.overlap;
+  c.features.overlap = all_.features.overlap, c.features.deepest = all_.features.deepest;
   for (int i = 0; i < all_.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (asks_[at] == 0) continue;

@@ -116,9 +116,9 @@ double ErrorNorm::position(Eigen::Index i, double error, double value) const {
   return std::abs(error) / (tolerance_ * std::max(q_[i], std::abs(value)));
 }
 
-double ErrorNorm::fastestTurn(const Eigen::VectorXd& u) const {
+double ErrorNorm::fastestTurn(const Eigen::VectorXd& u, Eigen::Index first, Eigen::Index n) const {
   double fastest = 0.0;
-  for (Eigen::Index i = 0; i < u.size(); ++i)
+  for (Eigen::Index i = first; i < first + n; ++i)
     if (u_[i] == 1.0) fastest = std::max(fastest, std::abs(u[i]));
   return fastest;
 }

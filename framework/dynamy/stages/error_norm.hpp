@@ -39,7 +39,9 @@ class ErrorNorm {
   double position(Eigen::Index i, double error, double value) const;
   double velocity(Eigen::Index i, double error, double value) const;
   /// Largest velocity of coordinates that are not lengths [rad/s].
-  double fastestTurn(const Eigen::VectorXd& u) const;
+  double fastestTurn(const Eigen::VectorXd& u) const { return fastestTurn(u, 0, u.size()); }
+  /// The same of n velocities from `first` on.
+  double fastestTurn(const Eigen::VectorXd& u, Eigen::Index first, Eigen::Index n) const;
 
  private:
   void scales(const MechanicalSystem& s);

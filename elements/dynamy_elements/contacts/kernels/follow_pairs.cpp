@@ -94,7 +94,7 @@ void followBodies(PairReport& report, const Body& a, const Body& b) {
   if (farApart(report.pair(), within.reach)) return;
   const double gap = separation(a, b);
   if (gap > within.reach) return;
-  sink.overlap(-gap);
+  sink.overlap(-gap, report.id(), false);
   within.reach += std::max(0.0, -2.0 * gap);  // for bodies that overlap already
   std::vector<int>& near = report.near();
   near.clear();
@@ -126,7 +126,7 @@ void watch(PairReport& report) {
   }
   const double gap = closingGap(report);
   if (gap == kInfinity) return;
-  if (jumps) sink.comesAndGoes(), sink.overlap(-gap, id);
+  if (jumps) sink.comesAndGoes(), sink.overlap(-gap, id, true);
   ContactRequest all;
   all.refresh = true;
   ContactSet found;

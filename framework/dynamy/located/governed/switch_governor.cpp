@@ -10,6 +10,8 @@ constexpr double kWindowWork = 1e9;  ///< or operations, where many rows make th
 constexpr double kDearer = 2.0;      ///< factor by which locating switches may cost more
 constexpr double kBearable = 0.5;    ///< of this: work of islands that continue to be located
 constexpr double kFast = 100.0;      ///< the same factor for motion that is fast without switches
+/// Of T: time that a window has to cover; and the number of windows in turn that may cover less.
+constexpr double kLeastWindow = 1e-4, kMostCreeping = 8;
 constexpr double kMost = 0.1;        ///< of T: longest step in time
 constexpr double kFirstStay = 0.05;  ///< of T: first duration of stepping in time
 constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
@@ -19,7 +21,7 @@ constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 void SwitchGovernor::archive(NumberArchive& a) {
   a.choice(mode_, 3), a.choice(turnedBy_, 3), a(turnedAt_);
   a(h_), a(began_), a(stay_), a(window_), a(windowWork_), a(windowEvaluations_);
-  a(windowStepWork_), a(switchWork_), a(oneSwitch_), a(switches_), a(stepWork_), a(patience_);
+  a(windowStepWork_), a(switchWork_), a(creeping_), a(oneSwitch_), a(switches_), a(stepWork_), a(patience_);
 }
 
 bool SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
@@ -30,8 +32,10 @@ bool SwitchGovernor::located(double t, double dt, long evaluations, double work,
   if (windowEvaluations_ < kWindow && windowWork_ < kWindowWork) return false;
   const double instead = window_ / (tolerance_ * T_) * windowStepWork_;
   const bool dear = switchWork_ > kDearer * instead, fast = windowWork_ > kFast * instead;
+  creeping_ = window_ < kLeastWindow * T_ ? creeping_ + 1.0 : 0.0;
+  const bool creeps = creeping_ >= kMostCreeping;
   window_ = windowWork_ = windowEvaluations_ = windowStepWork_ = switchWork_ = 0.0;
-  if (dear || fast) turn(t, TurnedBy::density, at);
+  if (dear || fast || creeps) turn(t, TurnedBy::density, at);
   tooFast_ = !dear, bearable_ = kBearable * (dear ? kDearer : kFast) * instead;
   return true;
 }
@@ -40,7 +44,7 @@ void SwitchGovernor::turn(double t, TurnedBy why, ContactKey at) {
   const bool soon = stay_ > 0.0 && t - began_ < stay_;
   stay_ = soon ? 2.0 * stay_ : kFirstStay * T_;
   mode_ = Mode::step, turnedBy_ = why, turnedAt_ = at;
-  began_ = t, h_ = least(), switches_ = stepWork_ = 0.0;
+  began_ = t, h_ = least(), switches_ = stepWork_ = creeping_ = 0.0;
 }
 
 double SwitchGovernor::factor(double error) const {

@@ -3,6 +3,7 @@
 ///
 ///   work of steps with a switch over a window  >    2 Δt/h₁ · work of a step in time,  h₁ = tol T
 ///   work of all steps                          >  100 Δt/h₁ · work of a step in time
+///   or: several windows in turn have covered hardly any time
 ///   or: steps have become too short to continue                         ⇒  steps in time
 ///   after a while in which switches were rare                           ⇒  switches are located
 ///
@@ -74,6 +75,7 @@ class SwitchGovernor {
   double window_ = 0.0, windowWork_ = 0.0;  // duration and work of the window of located steps
   double windowEvaluations_ = 0.0, windowStepWork_ = 0.0;
   double switchWork_ = 0.0;  // work in the window of steps with a switch
+  double creeping_ = 0.0;    // windows in turn that have covered hardly any time
   double oneSwitch_ = 0.0;   // work of a switch, as of the last turn
   double bearable_ = 0.0;    // not stored with a state: of use right after a turn alone
   bool tooFast_ = false;

@@ -22,6 +22,7 @@ bool ComingContacts::begin(LocatedStep& step, double time) {
   narrow(near_.ahead(step.from, time, MeetingConstants::touching * parts_.norm.length()));
   if (!probe.gather(step.from.x, motion.keys())) return false;
   startOverlap_ = probe.gathers() ? std::max(0.0, probe.noted().overlap()) : 0.0;
+  inside_ = probe.noted().deepest(parts_.passingOverlap());
   return parts_.search.begin(probe, motion.phase, step.from.x) && leaveToJoints(step);
 }
 
@@ -125,6 +126,18 @@ bool ComingContacts::sinks(const State& x) {
   if (!probe.gaps().comeAndGo()) return false;
   probe.widen(x, 0.0);
   return probe.noted().overlap() > startOverlap_ + parts_.leftOverlap();
+}
+
+ContactKey ComingContacts::sunk(double h) const {
+  const NotedContacts& noted = parts_.probe.noted();
+  const double depth = startOverlap_ + parts_.leftOverlap();
+  const double T = parts_.norm.time();
+  // A gap that begins far below zero is no switch until it has been positive.
+  const ContactKey deepest = noted.deepest(depth);
+  if (deepest != kNoContact && deepest == inside_ && h < MeetingConstants::inside * T)
+    return deepest;
+  if (h < MeetingConstants::creeping * T) return deepest;
+  return h < MeetingConstants::atMeeting * T ? noted.jumping(depth) : kNoContact;
 }
 
 bool ComingContacts::closesOpen(const State& x) {

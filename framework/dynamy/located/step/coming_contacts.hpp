@@ -31,10 +31,10 @@ class ComingContacts {
   void newTrial() { clear_ = passing_ = 1.0; }
   /// True: bodies whose contacts come and go overlap more at x than at the start of the trial.
   bool sinks(const State& x);
-  /// Of those bodies, a contact of two whose contacts jump; kNoContact: there are none.
-  ContactKey sunk() const {
-    return parts_.probe.noted().jumping(startOverlap_ + parts_.leftOverlap());
-  }
+  /// Of those bodies, a contact of two that cannot be followed, since steps are as short as `h` [s]:
+  /// their contacts jump, they overlap from the start on, or no switch can have been missed.
+  /// kNoContact: there are none.
+  ContactKey sunk(double h) const;
   /// True: an open contact penetrates at x.
   bool closesOpen(const State& x);
 
@@ -46,6 +46,7 @@ class ComingContacts {
   LocatedParts& parts_;
   PathContacts near_;
   std::vector<ContactKey> borne_, asked_;
+  ContactKey inside_ = kNoContact;  // of two bodies that overlap at the start
   double clear_ = 1.0, passing_ = 1.0, startOverlap_ = 0.0;
   State at_;
 };

@@ -168,10 +168,8 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
   if (strays || coming_.sinks(to_.x)) {
     record_.works = before;
     trials_.drop(step, trial.h);
-    const bool longEnough =
-        strays || parts_.pace.next > MeetingConstants::atMeeting * parts_.norm.time();
-    const ContactKey sunk = coming_.sunk();
-    return longEnough || sunk == kNoContact ? Refusal{} : step.lose(sunk);
+    const ContactKey sunk = strays ? kNoContact : coming_.sunk(parts_.pace.next);
+    return sunk == kNoContact ? Refusal{} : step.lose(sunk);
   }
   return finish(step, trial, {most, announced, end, longest < most && trial.h == longest}, done);
 }

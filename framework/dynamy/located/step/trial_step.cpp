@@ -6,14 +6,34 @@
 #include <limits>
 
 namespace dynamy {
+namespace {
+
+/// Steps may be longer by this factor than turns permit, so that rounding rejects none.
+constexpr double kRoomy = 1.01;
+
+}  // namespace
+
+/// Longest step from u in which turning bodies do not turn past a contact between two samples of the
+/// search [s]. Bodies none of whose contacts can close turn freely.
+double TrialStep::longestOfTurns(const Eigen::VectorXd& u) const {
+  const ContactGaps& gaps = parts_.probe.gaps();
+  const bool features = gaps.comeAndGo();
+  if (!parts_.search.gaps() && !features) return std::numeric_limits<double>::infinity();
+  const ContactSet& c = gaps.contacts;
+  double turn = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    if (!gaps.law(i).unilateral()) continue;
+    for (int s = c.segment0[static_cast<std::size_t>(i)];
+         s < c.segment0[static_cast<std::size_t>(i) + 1]; ++s) {
+      const Segment& of = c.segment[static_cast<std::size_t>(s)];
+      turn = std::max(turn, parts_.norm.fastestTurn(u, of.u0, of.nu));
+    }
+  }
+  return (features ? TrialConstants::mostFeatures : TrialConstants::mostTurn) / turn;
+}
 
 double TrialStep::shortened(const PhasePoint& from, double h) const {
-  // Turning bodies must not turn past a contact between two samples of the search.
-  const bool features = parts_.probe.gaps().comeAndGo();
-  const double most = features ? TrialConstants::mostFeatures : TrialConstants::mostTurn;
-  if (const double turn = parts_.norm.fastestTurn(from.x.u);
-      (parts_.search.gaps() || features) && turn * h > most)
-    h = most / turn;
+  h = std::min(h, longestOfTurns(from.x.u));
   // A force that is ignored may pass its bound, but no longer than it is to be ignored.
   for (const Held& held : parts_.motion.phase.held)
     if (!held.slips && held.mutedUntil > from.x.t) h = std::min(h, held.mutedUntil - from.x.t);
@@ -137,6 +157,9 @@ TrialStep::Tried TrialStep::findSwitch(LocatedStep& step, bool looked, Trial& tr
   path_.through(step.s, step.from, step.to);
   search.atEnd(phase, step.to.x.t);
   if (!coming_.widen(step.from.x, path_)) return shortOfMeeting(step, trial, coming_.clear());
+  // The path may reach contacts of bodies that turn fast.
+  if (const double longest = longestOfTurns(step.from.x.u); trial.h > kRoomy * longest)
+    return reject(step, longest);
   const double width = 0.1 * std::cbrt(0.01 * parts_.norm.tolerance());
   if (search.find(step.s, parts_.probe, phase, path_, looked, width, trial.found))
     return Tried::accepted;

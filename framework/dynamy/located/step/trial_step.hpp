@@ -41,6 +41,7 @@ class TrialStep {
   Tried faultOfPhase(LocatedStep& step, Trial& trial);
   Tried shortOfMeeting(LocatedStep& step, Trial& trial, double clear);
   bool tooLongAtRest(LocatedStep& step, const Trial& trial);
+  double longestOfTurns(const Eigen::VectorXd& u) const;
   bool moves(const PhasePoint& p) const;
   bool slipsInSpace() const;
   LocatedParts& parts_;

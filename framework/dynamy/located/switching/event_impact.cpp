@@ -4,17 +4,24 @@
 
 namespace dynamy {
 
-void EventImpact::take(OngoingEvent& at, const std::vector<ContactKey>& plastic) {
-  clear();
-  ContactSet& c = at.s.change(0).contacts;
+/// Sets gamma_. Returns the speed of the contact that approaches fastest, at least zero.
+double EventImpact::fastestApproach(const OngoingEvent& at) {
+  const ContactSet& c = at.s.slot(0).contacts;
   gamma_.resize(c.rows());
   c.gamma(view(std::as_const(at.p.x.u)), view(gamma_));
   double fastest = 0.0;
   for (int i = 0; i < c.size(); ++i)
     if (c.law[static_cast<std::size_t>(i)]->unilateral())
       fastest = std::max(fastest, -gamma_[c.row0[static_cast<std::size_t>(i)]]);
+  return fastest;
+}
+
+void EventImpact::take(OngoingEvent& at, const std::vector<ContactKey>& plastic) {
+  clear();
+  const double fastest = fastestApproach(at);
   leaves_ = std::max(at.restSpeed(), 1e-9 * fastest);
   if (!(fastest > at.restSpeed())) return;
+  ContactSet& c = at.s.change(0).contacts;
   wrappers_.clear();
   for (std::size_t i = 0; i < c.law.size(); ++i)
     if (std::find(plastic.begin(), plastic.end(), c.key[i]) != plastic.end()) {
@@ -25,6 +32,18 @@ void EventImpact::take(OngoingEvent& at, const std::vector<ContactKey>& plastic)
   solve(at);
   c.gamma(view(std::as_const(at.p.x.u)), view(gamma_));
   note(at.s);
+}
+
+bool EventImpact::stop(OngoingEvent& at) {
+  if (!(fastestApproach(at) > at.stillSpeed())) return false;
+  ContactSet& c = at.s.change(0).contacts;
+  wrappers_.clear();
+  for (const SetValuedForceLaw*& law : c.law) {
+    wrappers_.push_back(std::make_unique<WithoutRebound>(law));
+    law = wrappers_.back().get();
+  }
+  solve(at);
+  return true;
 }
 
 void EventImpact::solve(OngoingEvent& at) {

@@ -26,6 +26,9 @@ class EventImpact {
   /// Takes the impact of the contacts in slot 0, if one of them approaches: changes x.u. The
   /// contacts `plastic` do not rebound.
   void take(OngoingEvent& at, const std::vector<ContactKey>& plastic);
+  /// Stops contacts in slot 0 that approach more slowly than an impact, without rebound. If they went
+  /// on, each would close again at once. True: x.u has changed.
+  bool stop(OngoingEvent& at);
   /// Percussions of the last impact, empty: there was none; works() are theirs [J].
   const std::vector<Percussion>& percussions() const { return percussions_; }
   const std::array<double, 5>& works() const { return works_; }
@@ -35,6 +38,7 @@ class EventImpact {
   double leaves() const { return leaves_; }
 
  private:
+  double fastestApproach(const OngoingEvent& at);
   void solve(OngoingEvent& at);
   void note(const MechanicalSystem& s);
   std::vector<std::unique_ptr<WithoutRebound>> wrappers_;

@@ -13,7 +13,7 @@ bool hasSorted(const std::vector<ContactKey>& keys, ContactKey key) {
 
 std::span<const ContactKey> NotedContacts::read(const ContactSet& evaluated,
                                                 const std::vector<ContactKey>& followed) {
-  overlap_ = evaluated.features.overlap;
+  overlap_ = evaluated.features.overlap, deepest_ = evaluated.features.deepest;
   jumpingOverlap_ = evaluated.features.jumpingOverlap, jumping_ = evaluated.features.jumping;
   noted_ = evaluated.features.noted;
   fresh_ = std::any_of(noted_.begin(), noted_.end(),

@@ -25,13 +25,15 @@ class NotedContacts {
   /// A contact of bodies whose contacts jump that overlap by more than `depth` [m]; kNoContact: there
   /// are none.
   ContactKey jumping(double depth) const { return jumpingOverlap_ > depth ? jumping_ : kNoContact; }
+  /// The same of any bodies whose contacts come and go.
+  ContactKey deepest(double depth) const { return overlap_ > depth ? deepest_ : kNoContact; }
 
  private:
   std::vector<ContactKey> noted_, unknown_;
   std::vector<ContactKey> reported_, unreported_;  // of all noted so far, ascending
   bool fresh_ = false;
   double overlap_ = 0.0, jumpingOverlap_ = 0.0;
-  ContactKey jumping_;
+  ContactKey jumping_, deepest_;
 };
 
 }  // namespace dynamy

@@ -31,6 +31,8 @@ struct OngoingEvent {
 
   /// Speeds below this count as rest [m/s].
   double restSpeed() const { return 1e-10 * norm.speed(); }
+  /// Slower contacts approach by rounding [m/s].
+  double stillSpeed() const { return 1e-13 * norm.speed(); }
   /// Slips above this speed continue [m/s].
   double slipSpeed() const { return 1e-9 * norm.speed(); }
 };

@@ -63,6 +63,7 @@ bool SwitchEvent::settle(OngoingEvent& at, const std::vector<Held>& old, double 
     uEvaluated_ = x.u;
     projection_.velocities(at.s, next_.held, x);
     const bool same = !hit && !differ(old, next_.held);
+    if (same && impact_.stop(at)) at.evaluate(x, contacts_.keys()), uEvaluated_ = x.u;
     if (!next_.share(at.s.slot(0), x.u, at.p.a, same)) return false;
     if (plain_ || turn == kMostDecisions) return true;
     const bool closed = resting_.findClosed(at, impact_, next_.held),
