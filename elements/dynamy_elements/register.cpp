@@ -25,6 +25,7 @@
 #include <dynamy_elements/forces/force_input.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/forces/springs.hpp>
+#include <dynamy_elements/forces/tyre.hpp>
 #include <dynamy_elements/joints/register_joints.hpp>
 #include <dynamy_elements/joints/sheave_rope.hpp>
 #include <dynamy_elements/laws/adhesion.hpp>
@@ -110,6 +111,7 @@ void registerElements(Registry& r) {
   r.add<ForceInput>("ForceInput");
   r.add<Bushing>("Bushing");
   r.add<Drag>("Drag");
+  r.add<Tyre>("Tyre");
 
   registerBlocks(r);
 

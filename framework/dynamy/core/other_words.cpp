@@ -29,7 +29,7 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"trimesh trianglemesh triangularmesh triangles stl obj", "", "a mesh of triangles is <Mesh points=\"…\" triangles=\"…\">"},
   {"heightmap hfield terrain elevationgrid heightfieldterrain gridsurface", "", "a ground of heights is <HeightField>"},
   {"polyline segment edge", "", "a line through points is <Line>"},
-  {"tire tyre", "", "a tyre is <Torus>"},
+  {"tire pacejka", "", "a tyre that rolls without slip is <Torus>, one with a slip curve <Tyre>"},
   {"geom geometry collision visual shape collisionshape collider visualshape", "", "a shape has the name of its kind, <Box>, <Sphere>, …, and stands inside of its body; with a material it takes part in contact"},
   // Joints.
   {"hinge pin continuous hingejoint revolutejoint jointhinge pinjoint hingeconstraint rotational", "", "a hinge is <Revolute>"},

@@ -59,6 +59,24 @@ TEST(Linearisation, DampedPendulumHasItsTwoEigenvalues) {
   expectPair(l, 0, -0.2, std::sqrt(9.81 / 0.5 - 0.04));  // φ'' + 0.4 φ' + (g/l) φ = 0
 }
 
+TEST(Linearisation, SeesNothingOfAKinkBesideTheMotion) {
+  // Two springs that press only, 6.7 and 9.5 mm deep, far from the middle by as much as keeps their
+  // balance: beyond their ends the differences of the turn are half of the derivative, for any step.
+  Text t(R"xml(<systems><Coordinates name="c" q="z phi" units="m rad" q0="0 0" M="100; 0; 10"
+    h="1e5*max(0, 0.0067 - z - 0.95*phi) + 1e5*max(0, 0.0095 - z + 0.67*phi) - 1620;
+       0.95*1e5*max(0, 0.0067 - z - 0.95*phi) - 0.67*1e5*max(0, 0.0095 - z + 0.67*phi)"/></systems>
+    <simulation until="1" step="1e-3"/>)xml");
+  const Linearisation l = t.solve();
+  // m z'' = −2 c z − c (0.95 − 0.67) φ,  J φ'' = −0.28 c z − c (0.95² + 0.67²) φ; w² = d/2 ± …
+  const double a = 2e3, b = 0.28e3, c = 0.28e4, d = 1e4 * (0.95 * 0.95 + 0.67 * 0.67);
+  const double mean = 0.5 * (a + d), off = std::sqrt(0.25 * (a - d) * (a - d) + b * c);
+  const std::vector<double> w = frequencies(l);
+  ASSERT_EQ(w.size(), 2u);
+  // Differences with steps below 6.7 mm are good to 1e-10 of the largest entry, 1.4e4.
+  EXPECT_NEAR(w[0], std::sqrt(mean - off), 1e-6);
+  EXPECT_NEAR(w[1], std::sqrt(mean + off), 1e-6);
+}
+
 TEST(Linearisation, UprightPendulumGrows) {
   Text t(R"xml(<systems><Coordinates name="p" q="phi" units="rad" q0="3.1" M="1"
     potential="-9.81*cos(phi)"/></systems><simulation until="1" step="1e-3"/>)xml");

@@ -1,0 +1,125 @@
+// Tyres against closed forms: slips that build up, the magic formula, camber, a wheel at rest.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <unit/elements/blocks/block_scene.hpp>
+
+namespace dynamy {
+namespace {
+
+/// A wheel so heavy that no force moves it, 0.3 m of radius at 0.29 m above the road: its load is
+/// 1 cm of the carcass, 1500 N.
+std::string heavyWheel(const std::string& motion, const std::string& tyre,
+                       const std::string& until) {
+  return R"(<dynamy version="1"><systems><Ground name="road"/>
+    <RigidBody name="wheel" position="0 0 0.29" mass="1e13" inertia="1e13 1e13 1e13" )" +
+         motion +
+         R"(/></systems><forces><Tyre name="tyre" between="wheel road" radius="0.3" stiffness="1.5e5" )" +
+         tyre + R"(/></forces><simulation until=")" + until + R"(" tolerance="1e-10"/></dynamy>)";
+}
+
+/// The magic formula with E = 0, of p = c s/mu.
+double curve(double C, double p) { return std::sin(C * std::atan(p / C)); }
+
+TEST(Tyre, BuildsUpItsSideForceOverTheRelaxationLength) {
+  // A wheel that rolls at V with its plane turned by ψ: σ s' = −V sin ψ − V s.
+  const double psi = 0.05, V = 20.0, sigma = 0.25, s = -std::sin(psi);
+  const std::string motion = R"(euler="-90deg 0 0" velocity=")" +
+                             std::to_string(V * std::cos(psi)) + " " +
+                             std::to_string(V * std::sin(psi)) + R"( 0" angularVelocity="0 0 )" +
+                             std::to_string(V * std::cos(psi) / 0.29) + R"(")";
+  for (const double t : {0.01, 0.1}) {
+    BlockScene scene(
+        heavyWheel(motion, R"(relaxation="0.12 0.25" curve="1.3 0" mu="1.1")", std::to_string(t)));
+    const State x = scene.run();
+    const double now = s * (1.0 - std::exp(-V * t / sigma));
+    // Six decimals of the speeds above, 1e-7 of the slip; of 1500 N.
+    EXPECT_NEAR(scene.signal(x, "tyre.lateralSlip"), now, 1e-7) << t;
+    EXPECT_NEAR(scene.signal(x, "tyre.lateralForce"), 1500.0 * 1.1 * curve(1.3, 12.0 * now / 1.1),
+                2e-3)
+        << t;
+    EXPECT_NEAR(scene.signal(x, "tyre.load"), 1500.0, 1e-6) << t;
+    EXPECT_NEAR(scene.signal(x, "tyre.sideslip"), psi, 1e-6) << t;
+    EXPECT_NEAR(scene.signal(x, "tyre.longitudinalForce"), 0.0, 2e-3) << t;
+  }
+}
+
+TEST(Tyre, SharesItsFrictionBetweenBothDirections) {
+  // A wheel that is locked and slides at 45 degrees: V = |v|, s = −(1, 1)/√2 after some lengths, and
+  // both normalised slips, 15/√2 and 12/√2, give one force of mu N g(|p|) along p.
+  BlockScene scene(heavyWheel(R"(euler="-90deg 0 0" velocity="7 7 0")", R"(mu="0.9")", "0.8"));
+  const State x = scene.run();
+  const double px = 15.0 / std::sqrt(2.0) / 0.9, py = 12.0 / std::sqrt(2.0) / 0.9,
+               p = std::hypot(px, py), F = 0.9 * 1500.0 * curve(1.5, p);
+  EXPECT_NEAR(scene.signal(x, "tyre.longitudinalForce"), -F * px / p, 1e-5);
+  EXPECT_NEAR(scene.signal(x, "tyre.lateralForce"), -F * py / p, 1e-5);
+  EXPECT_NEAR(scene.signal(x, "tyre.slip"), -1.0 / std::sqrt(2.0), 1e-11);  // F t/(m v)
+}
+
+TEST(Tyre, PushesTowardsTheSideToWhichItLeans) {
+  // The top leans to +y by 0.1 rad; the disc rolls straight on, without sideslip. Its edge is at
+  // h − R cos γ, which is 1 cm below the road.
+  const double gamma = 0.1, V = 15.0, height = 0.3 * std::cos(gamma) - 0.01;
+  // The axle, y at first, sinks on the left: R_x(−γ).
+  const std::string motion = R"(euler=")" + std::to_string(-0.5 * M_PI - gamma) +
+                             R"( 0 0" velocity="15 0 0" )" + R"(angularVelocity="0 0 )" +
+                             std::to_string(V / (height / std::cos(gamma))) + R"(")";
+  std::string text = heavyWheel(motion, R"(trail="0.02" trailCurve="1 1.2")", "0.5");
+  text.replace(text.find("0 0 0.29"), 8, "0 0 " + std::to_string(height));
+  BlockScene scene(text);
+  const State x = scene.run();
+  const double p = 0.9 * gamma, F = 1500.0 * curve(1.5, p);
+  // Six decimals of the height, 5e-7 m, are 0.08 N of load.
+  EXPECT_NEAR(scene.signal(x, "tyre.camber"), -gamma, 1e-6);
+  EXPECT_NEAR(scene.signal(x, "tyre.load"), 1500.0, 0.1);
+  EXPECT_NEAR(scene.signal(x, "tyre.lateralForce"), F, 1e-4 * F);
+  EXPECT_NEAR(scene.signal(x, "tyre.aligningMoment"), -F * 0.02 * std::cos(1.2 * std::atan(p)),
+              1e-4 * F * 0.02);
+}
+
+TEST(Tyre, HoldsAWheelAtRestOnASlope) {
+  // A locked wheel on a slope of 0.3: the carcass stretches by σ s, where μ N g(c s/μ) = m g sin α, and
+  // swings out to e⁻¹⁰ of it.
+  const double slope = std::atan(0.3), N = 100.0 * 9.81 * std::cos(slope);
+  const std::string scene = R"(<dynamy version="1"><systems><Ground name="road"/>
+    <RigidBody name="wheel" position="0 0 )" +
+                            std::to_string(0.3 - N / 1.5e5) +
+                            R"(" euler="-90deg 0 0" mass="100" inertia="1e9 1e9 1e9"/></systems>
+    <forces><Gravity acceleration=")" +
+                            std::to_string(-9.81 * std::sin(slope)) + " 0 " +
+                            std::to_string(-9.81 * std::cos(slope)) + R"("/>
+    <Tyre name="tyre" between="wheel road" radius="0.3" stiffness="1.5e5" damping="2e3" slipDamping="10ms"/>
+    </forces><simulation until="3" )";
+  for (const char* simulation : {R"(tolerance="1e-8"/></dynamy>)", R"(step="1ms"/></dynamy>)"}) {
+    BlockScene still(scene + simulation);
+    const State x = still.run();
+    const double p = 1.5 * std::tan(std::asin(0.3) / 1.5), s = p / 15.0;
+    EXPECT_NEAR(still.signal(x, "tyre.longitudinalSlip"), s, 1e-5) << simulation;
+    // The carcass gives by σ s; while it swings the wheel rolls on the way by V s, a little.
+    EXPECT_LT(x.q[0], -0.12 * s) << simulation;
+    EXPECT_GT(x.q[0], -1.15 * 0.12 * s) << simulation;
+    EXPECT_NEAR(still.signal(x, "tyre.longitudinalForce"), N * 0.3, 0.05) << simulation;
+    EXPECT_LT(std::abs(x.u[0]), 1e-4) << simulation;
+  }
+}
+
+TEST(Tyre, LeavesTheRoadWithoutForce) {
+  // A ball of a wheel (tube = radius) dropped from 0.1 m bounces on its carcass, without damping
+  // back to where it was: half a period on the road is a spring's, with the weight.
+  const std::string scene = R"(<dynamy version="1"><systems><Ground name="road"/>
+    <RigidBody name="wheel" position="0 0 0.4" mass="10" inertia="1 1 1"/></systems>
+    <forces><Gravity/><Tyre name="tyre" between="wheel road" radius="0.3" tube="0.3"
+      axis="0 1 0" stiffness="1e4"/></forces><simulation until=")";
+  const double w = std::sqrt(1e4 / 10.0), v = std::sqrt(2.0 * 9.81 * 0.1), fall = v / 9.81,
+               sag = 9.81 / (w * w);
+  // z'' = −w² (z + sag): on the road for 2 (π − atan(v/(w sag)))/w.
+  const double on = 2.0 * (M_PI - std::atan(v / (w * sag))) / w;
+  BlockScene bounce(scene + std::to_string(2.0 * fall + on) + R"(" tolerance="1e-9"/></dynamy>)");
+  const State x = bounce.run();
+  EXPECT_NEAR(x.q[2], 0.4, 1e-6);
+  EXPECT_EQ(bounce.signal(x, "tyre.load"), 0.0);
+}
+
+}  // namespace
+}  // namespace dynamy
