@@ -120,7 +120,7 @@ TEST(Motorbike, SteadyTurnIsFoundAndBalanced) {
 }
 
 TEST(Motorbike, EveryEntryOfItsSystemAgreesWithDifferences) {
-  for (const char* file : {"models/motorbike.xml", "models/motorbike_jump.xml"}) {
+  for (const char* file : {"models/motorbike.xml", "tests/data/motorbike/jump.xml"}) {
     LoadedModel loaded(file);
     for (const auto& system : loaded.model().systems()) {
       const Verdict verdict = checkSystem(*system);
@@ -132,7 +132,7 @@ TEST(Motorbike, EveryEntryOfItsSystemAgreesWithDifferences) {
 TEST(Motorbike, InTheAirOnlyTheWeightActs) {
   // For the centre of mass of the four bodies Sz(t+d) − 2 Sz(t) + Sz(t−d) = −g d², and Sx moves
   // uniformly. Both wheels are in the air from 0.9 to 1.4 s.
-  LoadedModel loaded("models/motorbike_jump.xml");
+  LoadedModel loaded("tests/data/motorbike/jump.xml");
   Model& model = loaded.model();
   const auto centre = [&model](const HandStepper& s) {
     const SignalView view{.q = ConstVec(s.x.q.data(), s.x.q.size())};
@@ -195,7 +195,7 @@ TEST(Motorbike, MomentumOverRampAndLandingIsThatOfWeightAndRoad) {
   // s. Tolerances: the weight gives 2766 N s in a second. Since the scheme uses the mass matrix at
   // the start of each step, 32, 9.7 and 0.8 N s of it are missing at 1, 0.5 and 0.25 ms while the
   // wheels hit the road at 6 m/s, and less than a tenth of that before.
-  LoadedModel loaded("models/motorbike_jump.xml");
+  LoadedModel loaded("tests/data/motorbike/jump.xml");
   Simulation simulation(loaded.model());
   Ride ride;
   simulation.observe(ride);
@@ -212,7 +212,7 @@ TEST(Motorbike, MomentumOverRampAndLandingIsThatOfWeightAndRoad) {
 
 TEST(Motorbike, OnAnOrdinaryRoadTheFrontWheelSlipsBeforeTheRearOneLifts) {
   // µ = 1.3 < (w − x_T)/h = 1.3787.
-  LoadedModel loaded("models/motorbike_stoppie.xml", {{"mu", "1.3"}});
+  LoadedModel loaded("tests/data/motorbike/stoppie.xml", {{"mu", "1.3"}});
   HandStepper s(loaded.model());
   const double slip = 1.36;  // front slips at 1.3567 s, by the closed form of motorbike_braking.xml
   while (s.x.t < slip) s.step(slip - s.x.t);

@@ -23,6 +23,7 @@ bool begins(const ContactSet& c, int i, std::array<int, 2> part, const double* g
   in.gammaA = gamma;
   if (in.dim > kMostRows || !forceSet(law, in, set, part[0]))
     return true;  // accelerate() reports the reason
+  if (set.idle()) return false;
   if (law.unilateral() && gamma[0] > still) return false;
   if (set.form == ForceSet::Form::notch) {
     const double x = in.position[0];
