@@ -74,7 +74,7 @@ double StartingSlips::require(const Held& h, std::size_t i, const HeldRows& rows
 /// Turns held[i] towards its entries of required_, which begin at `first`.
 void StartingSlips::turnTo(Held& h, std::size_t i, const HeldRows& rows, int first) const {
   const int k = rows.slipRows(i);
-  double t[kMostRows];
+  double t[kMostRows] = {};
   for (int n = 0; n < k; ++n)
     t[n] = h.direction[static_cast<std::size_t>(n)] + factor_ * change_[first + n];
   const double length = rows.set(i).speed(k, t);
