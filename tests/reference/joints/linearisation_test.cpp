@@ -77,6 +77,14 @@ TEST(Linearisation, SeesNothingOfAKinkBesideTheMotion) {
   EXPECT_NEAR(w[1], std::sqrt(mean + off), 1e-6);
 }
 
+TEST(Linearisation, SeesKinksOnBothSidesOfTheMotion) {
+  // A spring that ends 3 mm to either side, harder inside than gravity pulls: beyond the ends the motion
+  // grows by w² = 4, as differences with larger steps say, and inside it swings with w² = 96.
+  Text t(R"xml(<systems><Coordinates name="c" q="x" units="m" q0="0" M="1"
+    h="4*x - 100*max(-0.003, min(0.003, x))"/></systems><simulation until="1" step="1e-3"/>)xml");
+  expectPair(t.solve(), 0, 0.0, std::sqrt(96.0));
+}
+
 TEST(Linearisation, UprightPendulumGrows) {
   Text t(R"xml(<systems><Coordinates name="p" q="phi" units="rad" q0="3.1" M="1"
     potential="-9.81*cos(phi)"/></systems><simulation until="1" step="1e-3"/>)xml");

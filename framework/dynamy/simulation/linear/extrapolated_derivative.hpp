@@ -2,9 +2,10 @@
 /// to step zero as a polynomial of h² [Neville]. For each entry the value in the table that differs
 /// least from its neighbours is taken; `error` grows to the largest of these differences.
 ///
-/// f may have a kink beside 0: a tyre leaves the road. Steps across it show in the second difference
-/// over h², which is the same for all steps of a smooth f. An entry begins anew where it is not, and
-/// steps are halved further where an entry is rough after seven of them.
+/// f may have kinks beside 0: a tyre leaves the road. Of a smooth f the second difference over h² is the
+/// same for all steps, and the first difference changes by a quarter from step to step of what it changed
+/// before. Steps across a kink show in the second one, across two kinks at ± the same place in the first.
+/// An entry begins anew where it shows, and steps are halved further where an entry is rough after seven.
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace dynamy {
 class ExtrapolatedDerivative {
  public:
   explicit ExtrapolatedDerivative(Eigen::VectorXd f0) : f0_(std::move(f0)) {
-    best_ = Eigen::VectorXd::Zero(f0_.size()), curvature_ = best_, second_ = best_;
+    best_ = Eigen::VectorXd::Zero(f0_.size()), curvature_ = best_, second_ = best_, change_ = best_;
     size_ = f0_.cwiseAbs();
     bound_ = Eigen::VectorXd::Constant(f0_.size(), std::numeric_limits<double>::infinity());
     first_.assign(static_cast<std::size_t>(f0_.size()), 0);
@@ -27,7 +28,8 @@ class ExtrapolatedDerivative {
     std::vector<Eigen::VectorXd> row(1, (after - before) / (2.0 * h));
     if (levels_ == 0) best_ = row[0];
     size_ = size_.cwiseMax(after.cwiseAbs()).cwiseMax(before.cwiseAbs());
-    for (Eigen::Index i = 0; i < best_.size(); ++i) judge(i, after[i], before[i], h);
+    for (Eigen::Index i = 0; i < best_.size(); ++i)
+      judge(i, after[i], before[i], h, levels_ > 0 ? row[0][i] - old_[0][i] : 0.0);
     double power = 1.0;
     for (std::size_t k = 1; k <= old_.size(); ++k) {
       power *= 4.0;
@@ -56,20 +58,25 @@ class ExtrapolatedDerivative {
   static constexpr double kLeast = 1.0;   ///< and of any size [m/s², rad/s²]
   static constexpr double kSame = 0.5;    ///< change of the curvature from step to step
 
-  /// Begins entry i anew at this step if its curvature is not that of the step before.
-  void judge(Eigen::Index i, double after, double before, double h) {
+  /// Begins entry i anew at this step if there is a kink between it and the step before. `change`:
+  /// of the difference since that step.
+  void judge(Eigen::Index i, double after, double before, double h, double change) {
     const double second = after - 2.0 * f0_[i] + before, curvature = second / (h * h);
     const double scale = std::max({size_[i], kSmall * size_.maxCoeff(), kLeast});
     const bool seen = std::max(std::abs(second), 0.25 * std::abs(second_[i])) > kSeen * scale;
     const double most = std::max(std::abs(curvature), std::abs(curvature_[i]));
-    if (levels_ > 0 && seen && std::abs(curvature - curvature_[i]) > kSame * most) {
+    const bool bends = levels_ > 0 && seen && std::abs(curvature - curvature_[i]) > kSame * most;
+    const bool turns = levels_ > 1 && h * std::abs(change) > kSeen * scale &&
+                       std::abs(change) > std::abs(change_[i]);
+    if (bends || turns) {
       first_[static_cast<std::size_t>(i)] = levels_;
       bound_[i] = std::numeric_limits<double>::infinity(), best_[i] = (after - before) / (2.0 * h);
     }
-    curvature_[i] = curvature, second_[i] = second;
+    curvature_[i] = curvature, second_[i] = second, change_[i] = change;
   }
 
-  Eigen::VectorXd f0_, best_, bound_, curvature_, second_, size_;  // size_: largest |f| so far
+  Eigen::VectorXd f0_, best_, bound_, curvature_, second_, change_;
+  Eigen::VectorXd size_;  // largest |f| so far
   std::vector<Eigen::VectorXd> old_;
   std::vector<int> first_;  // the step with which each entry began
   int levels_ = 0;
