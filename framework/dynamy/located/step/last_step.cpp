@@ -20,6 +20,13 @@ bool LastStep::interpolate(MechanicalSystem& s, PhaseMotion& motion, const State
   return true;
 }
 
+void LastStep::towards(const MechanicalSystem& s, const State& a, const Eigen::VectorXd& u,
+                       double h, double theta, State& out) {
+  out.q = a.q, out.u = a.u + theta * (u - a.u), out.memory = a.memory;
+  s.move(out, 0.5 * (a.u + out.u), theta * h);
+  out.t = a.t + theta * h;
+}
+
 void LastStep::close(MechanicalSystem& s, State& x) {
   if (phase_.held.empty()) return;
   FrozenPhase& phase = asked_ = phase_;

@@ -18,6 +18,9 @@ class LastStep {
   /// State at fraction theta of the step from a to b. False: `a` is not the start of this step.
   bool interpolate(MechanicalSystem& s, PhaseMotion& motion, const State& a, const State& b,
                    double theta, State& out);
+  /// The same of a step of length h [s] with constant accelerations, whose velocities become u.
+  static void towards(const MechanicalSystem& s, const State& a, const Eigen::VectorXd& u, double h,
+                      double theta, State& out);
   /// Closes the contacts and joints that are held during the step at x, which is within it: the dense
   /// output leaves them open by its error.
   void close(MechanicalSystem& s, State& x);

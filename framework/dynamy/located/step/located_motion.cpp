@@ -221,7 +221,12 @@ void LocatedMotion::report(MechanicalSystem& s, State& x, StepReport& report) {
 
 bool LocatedMotion::interpolate(const MechanicalSystem& s, const State& a, const State& b,
                                 double theta, State& out, bool closed) {
-  if (system_ != &s || !last_.interpolate(*system_, parts_.motion, a, b, theta, out)) return false;
+  if (system_ != &s) return false;
+  if (!last_.interpolate(*system_, parts_.motion, a, b, theta, out)) {
+    const Eigen::VectorXd* before = record_.uBeforeImpact(b.t);
+    if (before == nullptr) return false;
+    LastStep::towards(s, a, *before, b.t - a.t, theta, out);
+  }
   if (closed) last_.close(*system_, out);
   return true;
 }
