@@ -21,7 +21,8 @@ constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 void SwitchGovernor::archive(NumberArchive& a) {
   a.choice(mode_, 3), a.choice(turnedBy_, 3), a(turnedAt_);
   a(h_), a(began_), a(stay_), a(window_), a(windowWork_), a(windowEvaluations_);
-  a(windowStepWork_), a(switchWork_), a(creeping_), a(oneSwitch_), a(switches_), a(stepWork_), a(patience_);
+  a(windowStepWork_), a(switchWork_), a(creeping_), a(oneSwitch_), a(switches_), a(stepWork_),
+      a(patience_);
 }
 
 bool SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,

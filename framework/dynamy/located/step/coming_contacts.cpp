@@ -22,7 +22,7 @@ bool ComingContacts::begin(LocatedStep& step, double time) {
   narrow(near_.ahead(step.from, time, MeetingConstants::touching * parts_.norm.length()));
   if (!probe.gather(step.from.x, motion.keys())) return false;
   startOverlap_ = probe.gathers() ? std::max(0.0, probe.noted().overlap()) : 0.0;
-  inside_ = probe.noted().deepest(parts_.passingOverlap());
+  inside_ = probe.gathers() ? probe.noted().deepest(parts_.passingOverlap()) : kNoContact;
   return parts_.search.begin(probe, motion.phase, step.from.x) && leaveToJoints(step);
 }
 

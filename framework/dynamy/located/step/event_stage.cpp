@@ -65,16 +65,14 @@ void EventStage::noteEmpty(const EventResult& r, double t) {
   }
   const bool atOnce = t - pace.lastEvent <= EventConstants::atOnce * parts_.span();
   pace.lastEvent = t;
-  if (r.changed || r.impact) pace.ignored = 0.0;
   if (r.changed || r.impact || !atOnce) {
     if (!atOnce) pace.lookAhead = EventConstants::lookAhead, pace.empty = 0;
     return;
   }
   pace.lookAhead = std::min(10.0 * pace.lookAhead, EventConstants::mostLookAhead);
   if (++pace.empty < EventConstants::mostEmpty) return;
-  pace.ignored =
-      std::clamp(2.0 * pace.ignored, EventConstants::ignored, EventConstants::mostIgnored);
-  for (Held& h : parts_.motion.phase.held) h.mutedUntil = t + pace.ignored * parts_.span();
+  for (Held& h : parts_.motion.phase.held)
+    h.mutedUntil = t + EventConstants::ignored * parts_.span();
   pace.empty = 0;
 }
 

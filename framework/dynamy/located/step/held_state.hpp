@@ -11,12 +11,11 @@ struct Pace {
   double lookAhead = 1e-5;     ///< part of the step that decisions look ahead
   double lastEvent = -1e300;   ///< time of the last event [s]
   int empty = 0;               ///< events at that time that changed nothing
-  double ignored = 0.0;        ///< part of the step for which monitors were ignored last
   double energyFrom = -1e300;  ///< from this time on energies bound steps [s]
   double energyPause = 0.0;    ///< length of the next pause of this bound, in trials
   SearchPauses searches{};     ///< of impacts and decisions
   void archive(NumberArchive& a) {
-    a(next), a(lookAhead), a(lastEvent), a(empty), a(ignored), a(energyFrom), a(energyPause), a(searches);
+    a(next), a(lookAhead), a(lastEvent), a(empty), a(energyFrom), a(energyPause), a(searches);
   }
 };
 

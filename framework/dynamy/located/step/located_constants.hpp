@@ -28,8 +28,7 @@ struct EventConstants {
   static constexpr double atOnce = 1e-6;   ///< of the step: events this close are at one instant
   static constexpr int mostEmpty = 5;      ///< empty events at one instant
   static constexpr double rapid = 1e-7;    ///< of T: the textbook's events this close have no end
-  /// Of the step: monitors are ignored for this time; again and again for twice as long, at most.
-  static constexpr double ignored = 1e-3, mostIgnored = 0.064;
+  static constexpr double ignored = 1e-3;  ///< of the step: monitors are ignored for this time
   /// Speeds below this part of L per second are no impact, as for schemes with fixed steps [1/s].
   static constexpr double impactFloor = 1e-9;
 };
@@ -79,7 +78,7 @@ struct MeetingConstants {
   static constexpr double halfWay = 0.5;    ///< part of a sample interval that a sample looks ahead
   static constexpr double notAtAll = 0.25;  ///< part of the path to retry if bodies meet at once
   static constexpr double atMeeting = 1e-3;  ///< of T: shorter steps to a meeting are not taken
-  static constexpr double inside = 0.05;    ///< of T: the same for bodies inside each other
+  static constexpr double inside = 0.05;     ///< of T: the same for bodies inside each other
   static constexpr double creeping = 1e-7;   ///< of T: shorter steps find no contact either
   static constexpr double shorter = 0.5;     ///< factor on a step in which bodies sink in
   static constexpr double touching = 1e-5;   ///< of L: gaps up to this may close in any step

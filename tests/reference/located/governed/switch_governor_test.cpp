@@ -138,6 +138,22 @@ TEST(SwitchGovernor, StepsInTimeEndHoweverFastAPartOfTheMotionIs) {
   EXPECT_LT(steps, 36000);
 }
 
+TEST(SwitchGovernor, TurnsWhereWindowsCoverHardlyAnyTime) {
+  // Windows of 3000 evaluations that cost less than steps in time would: only their length counts,
+  // 1e-4 of T, and eight of them in turn.
+  const auto windows = [](SwitchGovernor& g, int n, double length) {
+    for (int i = 0; i < n; ++i)
+      g.located(0.0, length, 3000, 1.0, 1e9, false, SwitchGovernor::kNowhere);
+  };
+  SwitchGovernor governor;
+  governor.scales(1e-8, 1.0);
+  windows(governor, 7, 0.9e-4), windows(governor, 1, 1.1e-4), windows(governor, 7, 0.9e-4);
+  EXPECT_EQ(governor.mode(), SwitchGovernor::Mode::locate);
+  windows(governor, 1, 0.9e-4);
+  EXPECT_EQ(governor.mode(), SwitchGovernor::Mode::step);
+  EXPECT_EQ(governor.turnedBy(), TurnedBy::density);
+}
+
 TEST(SwitchGovernor, KeepsWhatASwitchCostsWithItsState) {
   // Each step is missed. Switches that cost more than a step are not rare, others are.
   for (const double cost : {0.5, 2.0}) {

@@ -26,6 +26,22 @@ TEST(EventImpact, ReboundsUnlessAContactIsToBePlastic) {
   }
 }
 
+TEST(EventImpact, StopsAnApproachThatIsNoImpactButNotRounding) {
+  for (const double part : {0.5, 1e-4}) {
+    SledgeScene s({0.0, 0.0}, {2.0, 0.0}, SledgeScene::pull(0.0), 0.5);
+    SledgeEvent e(s);
+    const double slow = -part * e.at.restSpeed();
+    e.p.x.u[1] = slow;
+    EventImpact impact;
+    impact.take(e.at, {});
+    EXPECT_EQ(e.p.x.u[1], slow);  // no impact
+    const bool creeps = part > e.at.stillSpeed() / e.at.restSpeed();
+    EXPECT_EQ(impact.stop(e.at), creeps);
+    EXPECT_NEAR(e.p.x.u[1], creeps ? 0.0 : slow, 1e-12 * std::abs(slow));
+    EXPECT_TRUE(impact.percussions().empty());
+  }
+}
+
 TEST(EventImpact, NeedsAnApproach) {
   SledgeScene s({0.0, 0.0}, {2.0, 0.0}, SledgeScene::pull(0.0), 0.5);
   SledgeEvent e(s);

@@ -59,6 +59,21 @@ TEST(SearchPauses, GrowWhereSearchesAreInVain) {
   EXPECT_EQ(searchesOf(100), 990);
 }
 
+TEST(SearchPauses, HardlySearchWhereNearlyAllLongSearchesFailed) {
+  SearchPauses pauses;
+  long little = 0, retried = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Effort effort = pauses.next();
+    little += effort == Effort::little ? 1 : 0, retried += effort == Effort::retried ? 1 : 0;
+    if (i < 1 + 1 + 1 + 3 + 1 + 7) {  // pauses of 1, 3 and 7
+      EXPECT_NE(effort, Effort::little) << i;
+    }
+    pauses.done(false);
+  }
+  // After them every fourth attempt of a pause is a short search.
+  EXPECT_NEAR(static_cast<double>(little) / static_cast<double>(little + retried), 0.75, 0.02);
+}
+
 TEST(SearchPauses, LeaveOneOfTwentyAttemptsWhereThreeOfTenFail) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
