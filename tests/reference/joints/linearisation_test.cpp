@@ -85,6 +85,19 @@ TEST(Linearisation, SeesKinksOnBothSidesOfTheMotion) {
   expectPair(t.solve(), 0, 0.0, std::sqrt(96.0));
 }
 
+TEST(Linearisation, FindsRestOfAStiffSpringFarAway) {
+  // 1000 kg on a spring of 2e9 N/m at 174 m, not preloaded: the rounding of its place, 2e-14 m, is an
+  // acceleration of 4e-8 m/s², more than a steady motion of free bodies leaves.
+  Text scene(R"(<systems><Ground name="world"/>
+    <PlanarBody name="car" position="0 0 -174" mass="1000" inertia="100"/></systems>
+    <forces><Gravity/><SpringDamper between="world car" stiffness="2e9" length="173.9"/></forces>
+    <elements><Prismatic between="world car" axis="0 0 1"/></elements>
+    <simulation until="1" step="1e-3"/>)");
+  const Linearisation l = scene.solve();
+  ASSERT_EQ(l.eigenvalues.size(), 2);
+  EXPECT_NEAR(std::abs(l.eigenvalues[0].imag()), std::sqrt(2e6), 1e-6);  // 1e-9 of it
+}
+
 TEST(Linearisation, UprightPendulumGrows) {
   Text t(R"xml(<systems><Coordinates name="p" q="phi" units="rad" q0="3.1" M="1"
     potential="-9.81*cos(phi)"/></systems><simulation until="1" step="1e-3"/>)xml");

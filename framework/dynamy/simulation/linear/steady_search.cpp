@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/simulation/linear/extrapolated_derivative.hpp>
 #include <dynamy/simulation/linear/steady_search.hpp>
@@ -11,6 +12,8 @@ namespace {
 constexpr double kSteady = 1e-10;
 constexpr int kMostSearchSteps = 40;        ///< of Newton's method
 constexpr double kLongestCorrection = 0.3;  ///< of its steps [m, rad]
+/// Roundings of a place on the way to a force: of the coordinates, of points on bodies, of lengths.
+constexpr double kRoundings = 8.0;
 
 }  // namespace
 
@@ -22,7 +25,15 @@ SteadySearch::SteadySearch(Model& model, HeldMotion& motion)
   step_ *= kStep;
 }
 
-double SteadySearch::allowed() const { return kSteady * std::max(1.0, motion_.freeAcceleration()); }
+double SteadySearch::allowed() const {
+  return kSteady * std::max(1.0, motion_.freeAcceleration()) + rounding_;
+}
+
+void SteadySearch::noteRounding(const State& x, const Eigen::MatrixXd& tangent, Eigen::Index rows) {
+  const Eigen::Index places = std::min(nu_, tangent.cols());
+  const Eigen::MatrixXd stiffness = tangent.bottomRows(rows).topLeftCorner(nu_, places).cwiseAbs();
+  rounding_ = kRoundings * kEpsilon * maxAbs(x.q) * stiffness.rowwise().sum().maxCoeff();
+}
 
 std::vector<double> SteadySearch::laterTimes(const State& x) {
   const double fastest = maxAbs(x.u);
@@ -54,7 +65,9 @@ double SteadySearch::correct(State& x, const std::vector<double>& later) {
     const Eigen::VectorXd y = residual(x, later);
     if (maxAbs(y) <= 1e-3 * allowed()) return way;
     PseudoInverse inverse(kRankOfStates);
-    inverse.compute(tangent(x, later, free));
+    const Eigen::MatrixXd J = tangent(x, later, free);
+    noteRounding(x, J, J.rows() / static_cast<Eigen::Index>(later.size() + 1));
+    inverse.compute(J);
     Eigen::VectorXd change;
     inverse.solve(y, change);
     Eigen::VectorXd z = Eigen::VectorXd::Zero(2 * nu_);

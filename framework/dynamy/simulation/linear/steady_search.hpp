@@ -26,7 +26,8 @@ class SteadySearch {
   /// Moves x to a steady motion if one is near; at rest it changes positions alone. Returns the
   /// length of all corrections |(δ, w)|. Throws ModelError as HeldMotion::at().
   double seek(State& x);
-  /// Largest accelerations of a steady motion [m/s², rad/s²]: rounding of those by the forces alone.
+  /// Largest accelerations of a steady motion [m/s², rad/s²]: rounding of those by the forces alone,
+  /// and what stiff forces make of the rounding of places.
   double allowed() const;
   /// The accelerations later in the motion from x are zero, too, but for its rounding.
   bool staysSteady(const State& x);
@@ -40,10 +41,13 @@ class SteadySearch {
  private:
   double correct(State& x, const std::vector<double>& later);
   Eigen::VectorXd residual(const State& x, const std::vector<double>& later);
+  /// `rows`: of the residual at x itself.
+  void noteRounding(const State& x, const Eigen::MatrixXd& tangent, Eigen::Index rows);
   Eigen::MatrixXd tangent(const State& x, const std::vector<double>& later, Eigen::Index free);
   HeldMotion& motion_;
   Eigen::Index nu_;
   Eigen::VectorXd step_;
+  double rounding_ = 0.0;  // of accelerations, by the rounding of places
 };
 
 }  // namespace dynamy
