@@ -66,6 +66,13 @@ double usedMemory() {
   return 1024.0 * static_cast<double>(used.ru_maxrss);
 }
 
+/// Is the system the state of a force: of a block, a tyre, a rope?
+bool ownedByForce(const Model& model, const PartialMechanicalSystem& system) {
+  return std::any_of(model.forces().begin(), model.forces().end(), [&](const auto& force) {
+    return !force->name().empty() && force->name() == system.name();
+  });
+}
+
 /// If the model has <Gravity>: names of the moving systems on which it does not act.
 std::string weightless(const Model& model, const State& x) {
   std::string out;
@@ -74,7 +81,8 @@ std::string weightless(const Model& model, const State& x) {
     for (std::size_t i = 0; i < model.systems().size(); ++i) {
       const SystemHandle& s = model.topology().system(static_cast<int>(i));
       const PartialMechanicalSystem& system = *model.systems()[i];
-      if (s.nu == 0 || system.feelsGravity({x.q.data() + s.q0, s.nq})) continue;
+      if (s.nu == 0 || ownedByForce(model, system)) continue;
+      if (system.feelsGravity({x.q.data() + s.q0, s.nq})) continue;
       out += (out.empty() ? "" : ", ") + (system.name().empty() ? system.type() : system.name());
     }
     return out;

@@ -142,7 +142,8 @@ Word replicate() {
            "Repeats its content; names get [0], [1], …; the index may stand in {expressions}. A "
            "name without index means the one of the same turn.",
            {"doc", "replicate", "include", "systems", "forces", "elements"},
-           {Kind::system, Kind::force, Kind::contact, Kind::rule, Kind::observer, Kind::shape});
+           {Kind::system, Kind::force, Kind::contact, Kind::rule, Kind::observer, Kind::shape,
+            Kind::part});
   w.attributes.add(AttributeType::integer, "count", std::nullopt, "number of turns")
       .between(0, kMostTurns);
   w.attributes.add(AttributeType::name, "index", "i", "name of the index in expressions");
