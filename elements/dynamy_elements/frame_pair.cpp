@@ -44,14 +44,14 @@ FramePair::FramePair(const Parameters& x) {
   a_ = a, b_ = b;
 }
 
-void FramePair::connect(Topology& topology, const Element& asking) {
+void FramePair::find(Topology& topology, const Element& asking) {
   A = topology.frame(a_, asking);
   B = topology.frame(b_, asking);
-  const auto blocks = [&topology](FrameHandle f) {
-    const int system = topology.requestedFrames()[static_cast<std::size_t>(f.index)].first;
-    return topology.systems()[static_cast<std::size_t>(system)]->blocks();
-  };
-  const Blocks a = blocks(A), b = blocks(B);
+}
+
+void FramePair::connect(Topology& topology, const Element& asking) {
+  find(topology, asking);
+  const Blocks a = blocksOf(topology, A), b = blocksOf(topology, B);
   const auto one = [&] {
     const StartKinematics start(topology);
     return belongToOneBody(start.frame(A), start.frame(B));
@@ -71,9 +71,13 @@ void FramePair::connect(Topology& topology, const Element& asking) {
   planeNormal = commonPlane(a, b);
 }
 
-void requireMoving(const Topology& topology, FrameHandle frame, const std::string& name) {
+Blocks blocksOf(const Topology& topology, FrameHandle frame) {
   const int system = topology.requestedFrames()[static_cast<std::size_t>(frame.index)].first;
-  if (topology.systems()[static_cast<std::size_t>(system)]->blocks().nu > 0) return;
+  return topology.systems()[static_cast<std::size_t>(system)]->blocks();
+}
+
+void requireMoving(const Topology& topology, FrameHandle frame, const std::string& name) {
+  if (blocksOf(topology, frame).nu > 0) return;
   throw ModelError(
       "a force has no effect on \"" + name + "\", which stands still or moves as given",
       "name a body with velocities of its own");

@@ -25,6 +25,8 @@ class FramePair {
   /// Throws ModelError unless there are two names.
   explicit FramePair(const Parameters& x);
   void connect(Topology& topology, const Element& asking);
+  /// Finds A and B, which may be on one body or both stand still; planeNormal stays zero.
+  void find(Topology& topology, const Element& asking);
 
   FrameHandle A, B;
   /// Normal of the plane in which both systems move; zero if one moves in space or the planes
@@ -38,6 +40,9 @@ class FramePair {
 /// Throws ModelError if the frame belongs to a system without velocities, on which a force has no
 /// effect. `name`: of the frame, as the model writes it.
 void requireMoving(const Topology& topology, FrameHandle frame, const std::string& name);
+
+/// Blocks of the system that carries a requested frame.
+Blocks blocksOf(const Topology& topology, FrameHandle frame);
 
 /// Normal of the plane in which two systems move; zero if there is none.
 Vec3 commonPlane(const Blocks& a, const Blocks& b);

@@ -22,6 +22,7 @@
 #include <dynamy_elements/coordinates/register_coordinates.hpp>
 #include <dynamy_elements/forces/bushing.hpp>
 #include <dynamy_elements/forces/drag.hpp>
+#include <dynamy_elements/forces/elastic_rope.hpp>
 #include <dynamy_elements/forces/force_input.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/forces/springs.hpp>
@@ -112,6 +113,8 @@ void registerElements(Registry& r) {
   r.add<Bushing>("Bushing");
   r.add<Drag>("Drag");
   r.add<Tyre>("Tyre");
+  r.add<ElasticRope>("ElasticRope");
+  r.add<Sheave>("Sheave");
 
   registerBlocks(r);
 

@@ -4,6 +4,7 @@
 #pragma once
 #include <algorithm>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/system/description.hpp>
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <string>
 #include <vector>

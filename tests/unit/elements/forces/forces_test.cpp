@@ -6,6 +6,7 @@
 #include <dynamy_elements/bodies/rigid_body.hpp>
 #include <dynamy_elements/forces/bushing.hpp>
 #include <dynamy_elements/forces/drag.hpp>
+#include <dynamy_elements/forces/elastic_rope.hpp>
 #include <dynamy_elements/forces/force_input.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/forces/springs.hpp>
@@ -155,6 +156,29 @@ TEST(ForceInput, ActsAtItsPointAtTheTime) {
   EXPECT_DOUBLE_EQ(f.h[1], 3.0);
   EXPECT_DOUBLE_EQ(f.h[2], 7.0 + 0.5 * 3.0);
   EXPECT_EQ(f.h, f.nonPotential);
+}
+
+TEST(ElasticRope, IsTheGradientOfItsPotential) {
+  // Two drums that move and turn, and a sheave between them that moves; the damper's part is none of
+  // the potential.
+  for (const double damping : {0.0, 0.1}) {
+    Model m;
+    for (const auto& [name, x, z] : {std::tuple{"a", 0.0, 0.0}, {"b", 6.0, 0.0}, {"c", 3.0, 4.0}})
+      m.add<PlanarBody>(name, {{"mass", 1.0}, {"inertia", 0.2}, {"position", {x, 0.0, z}}});
+    m.add(std::make_unique<ElasticRope>(
+        Parameters::of<ElasticRope>("ElasticRope", "rope",
+                                    {{"between", "a b"},
+                                     {"pointA", {0.1, 0.0, 0.2}},
+                                     {"drumA", 0.5},
+                                     {"drumB", 0.3},
+                                     {"sideA", {-1.0, 0.0, 0.0}},
+                                     {"damping", damping},
+                                     {"EA", 40.0},
+                                     {"preload", 15.0}})
+            .with(std::make_unique<Sheave>(Parameters::of<Sheave>(
+                "Sheave", "", {{"on", "c"}, {"radius", 0.4}, {"point", {0.0, 0.0, 0.1}}})))));
+    expectPotentialFits(m);
+  }
 }
 
 TEST(ForceInput, PointsAtTheMistakeInAFormula) {

@@ -1,0 +1,55 @@
+/// RopeWay: the way of a taut rope past circles in one plane: end, sheaves, end.      (theory 43.5)
+///
+///   d = C₂ − C₁ without its part along a,   ρ = σ₂ r₂ − σ₁ r₁
+///   l = √(|d|² − ρ²),   t = (l d − ρ a × d)/|d|²,   n_i = −σ_i a × t
+///
+/// for the strand from circle 1 to circle 2 with the common tangent t, which touches circle i at
+/// C_i + r_i n_i. a: axis, unit; σ = ±1: sense about a in which the rope runs past a circle. A circle
+/// of radius 0 is an end that is fixed to its frame. If the circles move, the strand turns with
+///
+///   α̇ = (a × t)·ḋ/l,    l̇ = t·ḋ + ρ α̇
+#pragma once
+#include <dynamy/core/types.hpp>
+#include <vector>
+
+namespace dynamy {
+
+/// A circle about which the rope runs.
+struct RopeCircle {
+  Vec3 centre_I = Vec3::Zero();  ///< [m]
+  double radius = 0.0;           ///< [m]
+  double sense = 1.0;            ///< σ
+};
+
+/// The free part of a rope between two circles.
+struct RopeStrand {
+  Vec3 t = Vec3::Zero();       ///< from the first circle to the second, unit
+  Vec3 across = Vec3::Zero();  ///< a × t
+  double length = 0.0;         ///< [m]; 0 where the circles overlap too much for a tangent
+};
+
+class RopeWay {
+ public:
+  /// Two circles at least: ends first and last.
+  RopeWay(const Vec3& axis_I, std::vector<RopeCircle> circles);
+  int strands() const { return static_cast<int>(strands_.size()); }
+  const RopeStrand& strand(int i) const { return strands_[static_cast<std::size_t>(i)]; }
+  const Vec3& axis() const { return axis_I_; }
+  /// Direction from the centre of circle i to where strand j touches it.
+  Vec3 contact(int i, int j) const;
+  /// Angle of wrap of an inner circle in [0, 2π) [rad].
+  double wrap(int i) const;
+
+ private:
+  Vec3 axis_I_;
+  std::vector<RopeCircle> circles_;
+  std::vector<RopeStrand> strands_;
+};
+
+/// Chooses the senses of all circles of a radius above 0, so that the rope passes circle i at the
+/// side sides[i], a direction: of an inner circle the middle of the wrap lies there, of an end the
+/// point where the rope leaves it.
+void chooseSenses(const Vec3& axis_I, std::vector<RopeCircle>& circles,
+                  const std::vector<Vec3>& sides);
+
+}  // namespace dynamy
