@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <dynamy/core/constants.hpp>
 #include <dynamy/core/rotation.hpp>
@@ -46,6 +47,35 @@ void refuseMass(std::span<const std::unique_ptr<Shape>> shapes, const std::strin
   }
 }
 
+namespace {
+
+/// Attitude of a frame with x forward, y left and z up: A = R_z(heading) R_y(pitch) R_x(lean).
+struct Attitude {
+  const char* name;
+  std::string_view text;
+  double (*value)(const Mat3& A, const Vec3& v);
+};
+
+/// Angle from the x-axis of the axes A to v, both seen from above; 0 at rest.
+double courseAngle(const Mat3& A, const Vec3& v) {
+  const double along = A(0, 0) * v[0] + A(1, 0) * v[1], left = A(0, 0) * v[1] - A(1, 0) * v[0];
+  return std::atan2(left, along);
+}
+
+constexpr std::array<Attitude, 4> kAttitudes{
+    {{"lean", "about its x-axis; positive: to the right, if x points forward and z up",
+      [](const Mat3& A, const Vec3&) { return std::atan2(A(2, 1), A(2, 2)); }},
+     {"pitch", "of its x-axis below the horizontal",
+      [](const Mat3& A, const Vec3&) {
+        return std::atan2(-A(2, 0), std::hypot(A(0, 0), A(1, 0)));
+      }},
+     {"heading", "of its x-axis, seen from above, from the x-axis of the world",
+      [](const Mat3& A, const Vec3&) { return std::atan2(A(1, 0), A(0, 0)); }},
+     {"sideslip", "from its x-axis to its velocity, seen from above; 0 at rest",
+      [](const Mat3& A, const Vec3& v) { return courseAngle(A, v); }}}};
+
+}  // namespace
+
 void BodyParts::describe(Description& d, const std::string& moving, const Vec3& r_BS_K,
                          const std::function<BodyMotion(const SignalView&)>& motion) const {
   for (const auto& shape : shapes_) d.shape(*shape, 0);
@@ -65,6 +95,14 @@ void BodyParts::describe(Description& d, const std::string& moving, const Vec3& 
                  return m.v_S_I[k] + m.Omega_I.cross(m.A_IK * r_SF_K)[k];
                });
     }
+    if (moving != "xyz") continue;
+    const Mat3 A_KF = frames_[i]->A_KF();
+    for (const Attitude& a : kAttitudes)
+      d.signal(frames_[i]->name() + "." + a.name, Unit::angle, std::string(a.text),
+               [=, value = a.value](const SignalView& s) {
+                 const BodyMotion m = motion(s);
+                 return value(m.A_IK * A_KF, m.v_S_I + m.Omega_I.cross(m.A_IK * r_SF_K));
+               });
   }
 }
 

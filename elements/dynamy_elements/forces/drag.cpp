@@ -28,7 +28,8 @@ Drag::Drag(const Parameters& x)
       quadratic_(0.5 * double(x["density"]) * double(x["coefficient"]) * double(x["area"])),
       linear_(x["viscous"]),
       wind_(x, "wind", 3) {
-  if (quadratic_ == 0.0 && linear_ == 0.0)
+  // An area of 0 that is written is a part's parameter: without drag unless it is set.
+  if (!x["area"].given && linear_ == 0.0)
     throw ModelError("there is no drag", "add area=\"…\" or viscous=\"…\"");
 }
 

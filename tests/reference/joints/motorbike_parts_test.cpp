@@ -1,4 +1,4 @@
-// The motorbike of models/parts, composed of eight bodies: with everything locked it is the vehicle of
+// The motorbike of models/parts, composed of nine bodies: with everything locked it is the vehicle of
 // four bodies whose eigenvalues are known, and in the air it falls.
 #include <gtest/gtest.h>
 
@@ -30,11 +30,32 @@ TEST(MotorbikeOfParts, HasTheEigenvaluesOfFourBodiesWhileItIsLocked) {
 }
 
 TEST(MotorbikeOfParts, MovesOnItsSpringsWhereItIsNotLocked) {
-  // Friction of no force holds nothing: bounce and pitch on springs and dampers, the rider's lean.
+  // Friction of no force holds nothing: bounce and pitch on springs and dampers, the rider's lean, the
+  // head's twist.
   LoadedModel m("tests/data/motorbike/coast.xml", {{"bike/locked", "0"}});
   const Linearisation l = linearise(m.model(), m.model().initialState());
-  EXPECT_EQ(l.eigenvalues.size(), 10);
+  EXPECT_EQ(l.eigenvalues.size(), 12);
   EXPECT_EQ(l.growing(), 0);
+}
+
+TEST(MotorbikeOfParts, TwistsItsHeadOnASpring) {
+  // What a stiffer head changes of wobble goes as 1/k: from 1e7 to 2e7 Nm/rad twice as much as from
+  // 2e7 to 4e7, and what is left at 34 100 Nm/rad is that much larger, to second order in 1/k.
+  const auto slowest = [](const char* k) {
+    LoadedModel m("tests/data/motorbike/coast.xml", {{"bike/locked", "0"}, {"bike/kTwist", k}});
+    const Linearisation l = linearise(m.model(), m.model().initialState());
+    std::complex<double> out(1e9, 0.0);
+    for (const std::complex<double>& z : l.eigenvalues)
+      if (std::abs(z - std::complex<double>(-2.0, 4.5)) <
+          std::abs(out - std::complex<double>(-2.0, 4.5)))
+        out = z;
+    return out;
+  };
+  const std::complex<double> a = slowest("1e7"), b = slowest("2e7"), c = slowest("4e7"),
+                             real = slowest("34100");
+  EXPECT_LT(std::abs((a - b) / (b - c) - 2.0), 1e-3);  // differences of 1e-6, known to 1e-10
+  const std::complex<double> stiff = 2.0 * c - b, slope = (a - b) * 2e7;
+  EXPECT_NEAR(std::abs((real - stiff) * 34100.0 / slope), 1.0, 0.2);
 }
 
 TEST(MotorbikeOfParts, FallsAsAPointInTheAir) {
