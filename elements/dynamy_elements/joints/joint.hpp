@@ -30,6 +30,8 @@ class Joint : public NonSmoothElement {
   static void declareJoint(Attributes& a);
   static void declareAxis(Attributes& a, const std::string& text);
   static void declareFriction(Attributes& a, const std::string& text);
+  /// Attribute `start`, for joints of one free motion.
+  static void declareStart(Attributes& a, Unit unit, const std::string& text);
   /// Attribute `rotor`, for joints whose one free motion it belongs to.
   static void declareRotor(Attributes& a, Unit unit);
   /// Adds the rows of the concrete joint.
@@ -54,6 +56,7 @@ class Joint : public NonSmoothElement {
   FramePair frames_;
   Vec3 at_ = Vec3::Zero(), axis_ = Vec3::Zero();
   bool atGiven_ = false;
+  double start_ = 0.0;   // value of the free motion at the start [rad or m]
   double rotor_ = 0.0;   // inertia of the coordinate alone [kg m² or kg]
   bool ofTree_ = false;  // the joint belongs to a tree: without bilateral rows
   JointRows rows_;

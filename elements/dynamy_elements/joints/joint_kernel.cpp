@@ -1,5 +1,6 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy/law/most_rows.hpp>
 #include <dynamy_elements/joints/joint.hpp>
@@ -25,6 +26,10 @@ void Joint::declareFriction(Attributes& a, const std::string& text) {
   a.child(Kind::law, 0, 1, text);
 }
 
+void Joint::declareStart(Attributes& a, Unit unit, const std::string& text) {
+  a.optional("start", unit, 0.0, text);
+}
+
 void Joint::declareRotor(Attributes& a, Unit unit) {
   a.optional(
        "rotor", unit, 0.0,
@@ -39,6 +44,7 @@ Joint::Joint(const Parameters& x)
   atGiven_ = hasAt && x.has("at");
   if (atGiven_) at_ = x["at"].vec3();
   if (x.declaration->find("axis") != nullptr) axis_ = x["axis"].vec3();
+  if (x.declaration->find("start") != nullptr) start_ = x["start"];
   if (x.declaration->find("rotor") != nullptr) rotor_ = x["rotor"];
 }
 
@@ -158,7 +164,11 @@ void Joint::describeSignal(const JointSignal& c, Description& d) const {
   const double sign = c.inB ? -1.0 : 1.0;
   d.signal(c.name, turn ? Unit::angle : Unit::length,
            turn ? "angle of B against A, between -pi and pi" : "displacement of B against A",
-           [=, row = c.row](const SignalView& v) { return sign * rowPosition(seen(v), row); });
+           [=, row = c.row, start = start_](const SignalView& v) {
+             const double x = sign * rowPosition(seen(v), row);
+             if (start == 0.0) return x;
+             return turn ? std::remainder(start + x, kTwoPi) : start + x;
+           });
   d.signal(c.rate, turn ? Unit::angularVelocity : Unit::velocity, "its rate",
            [=, row = c.row](const SignalView& v) {
              const JointPose p = seen(v);

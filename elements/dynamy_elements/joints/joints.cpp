@@ -21,10 +21,13 @@ Mat3 triad(const Vec3& n) {
 void Revolute::declare(Attributes& a) {
   a.about(
       "Hinge: two frames share a point and an axis. Planar bodies: 2 rows, in space 5. A friction "
-      "law acts about the axis. Signals: angle (between -pi and pi), rate.");
+      "law acts about the axis. Signals: angle of B against A (from the value `start`, by the "
+      "right "
+      "hand about the axis; between -pi and pi), rate.");
   declareJoint(a);
   declareAxis(a, "axis at the start, in the world; needed in space, planar bodies have their own");
   declareFriction(a, "friction about the axis, e.g. GivenFriction");
+  declareStart(a, Unit::angle, "value of the signal angle at the start");
   declareRotor(a, Unit::inertia);
   a.example("<Revolute between=\"world rod\" at=\"0 0 1\" axis=\"0 1 0\"/>");
 }
@@ -78,10 +81,12 @@ bool Spherical::freeMotions(const JointStart& s, std::vector<FreeMotion>& out) c
 void Prismatic::declare(Attributes& a) {
   a.about(
       "Slider: B moves along an axis fixed in A and does not turn against it. Planar bodies: 2 "
-      "rows, in space 5. A friction law acts along the axis. Signals: displacement, rate.");
+      "rows, in space 5. A friction law acts along the axis. Signals: displacement of B along the "
+      "axis (from the value `start`), rate.");
   declareJoint(a);
   declareAxis(a, "direction at the start, in the world");
   declareFriction(a, "friction along the axis, e.g. GivenFriction");
+  declareStart(a, Unit::length, "value of the signal displacement at the start");
   declareRotor(a, Unit::mass);
   a.example("<Prismatic between=\"world cart\" axis=\"1 0 0\"/>");
 }
