@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cmath>
+
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/io/files/output_file.hpp>
 #include <filesystem>
@@ -37,6 +39,15 @@ Machine readMachine(const XmlDocument& document, const ImportOptions& options) {
                           "<robot> begins a file of URDF, <mujoco> of MJCF, <sdf> of SDF"));
 }
 
+void requireWithinLimits(const MachineJoint& joint, const std::string& assignment) {
+  const double low = joint.lower.value_or(-HUGE_VAL), high = joint.upper.value_or(HUGE_VAL);
+  if (low <= joint.start && joint.start <= high) return;
+  throw CLI::ValidationError(fmt::format("--at {}: beyond the limits of the joint, {} to {} {}",
+                                         assignment, joint.lower ? numberText(low) : "-inf",
+                                         joint.upper ? numberText(high) : "inf",
+                                         joint.kind == MachineJoint::Kind::slide ? "m" : "rad"));
+}
+
 /// Joints start at other values than those of the file's pose.
 void startAt(Machine& machine, const std::vector<std::string>& values) {
   for (const std::string& text : values) {
@@ -46,7 +57,12 @@ void startAt(Machine& machine, const std::vector<std::string>& values) {
     for (Link& link : machine.links)
       for (MachineJoint& joint : link.joints) {
         known.push_back(joint.name);
-        if (joint.name == name) joint.start = std::stod(value), found = true;
+        if (joint.name != name) continue;
+        joint.start = std::stod(value), found = true;
+        requireWithinLimits(joint, text);
+        std::erase_if(machine.notes, [&](const ImportNote& n) {
+          return n.element == "joint " + name && n.text.starts_with("its limits exclude");
+        });
       }
     if (found) continue;
     const std::string hint = unknownNameHint(name, known);
@@ -75,8 +91,11 @@ int import(const ImportChoice& choice) {
   if (choice.out.empty()) return kOk;
   std::size_t joints = 0;
   for (const Link& link : machine.links) joints += link.joints.size();
-  fmt::print("wrote {}: {} links, {} joints, {} notes\n", choice.out, machine.links.size(), joints,
-             machine.notes.size());
+  const auto counted = [](std::size_t n, const char* what) {
+    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+  };
+  fmt::print("wrote {}: {}, {}, {}\n", choice.out, counted(machine.links.size(), "link"),
+             counted(joints, "joint"), counted(machine.notes.size(), "note"));
   return kOk;
 }
 
@@ -95,6 +114,8 @@ void addImport(CLI::App& app, Program& program) {
               "URDF: the root link moves freely; else it stands still");
   c->add_flag("--self-contact", choice->options.selfContact,
               "URDF: links that are no neighbours can touch each other");
+  c->add_flag("--drives", choice->options.drives,
+              "URDF: each joint gets an <Input>, the force or moment of its drive");
   c->add_option("--key", choice->options.key, "MJCF: the keyframe that the model starts from")
       ->type_name("NAME");
   c->add_option("--package", choice->options.packages,

@@ -9,6 +9,7 @@ namespace dynamy::app {
 struct ImportOptions {
   bool freeBase = false;     ///< URDF: the root link moves freely instead of standing still
   bool selfContact = false;  ///< URDF: links that are no neighbours may touch
+  bool drives = false;       ///< URDF: joints get an input for their force
   std::string key;           ///< MJCF: the keyframe that is the start; "": none
   std::vector<std::string> packages;  ///< folders in which package:// paths are looked for
 };

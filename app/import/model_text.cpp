@@ -249,6 +249,7 @@ void ModelWriter::joint(std::size_t i) {
   const std::string axis = attribute("axis", vector(poses_[i].A * joint.axis));
   const std::string type = turn ? "Revolute" : "Prismatic";
   elements_ += "    <" + type + attribute("name", name) + between + point + axis;
+  if (joint.start != 0.0) elements_ += attribute("start", number(joint.start));
   if (joint.inertia > 0.0) elements_ += attribute("rotor", smallNumber(joint.inertia));
   elements_ += joint.friction > 0.0 ? fmt::format("><GivenFriction force=\"{}\"/></{}>\n",
                                                   number(joint.friction), type)

@@ -91,6 +91,13 @@ void SdfShapes::surface(const XmlNode& node, Skin& out) {
       out.mu = std::max(read_.numberOf(*mu), 0.0);
 }
 
+std::string SdfShapes::colour(const XmlNode& node) {
+  if (const XmlNode* material = childOf(node, "material"))
+    if (const XmlNode* diffuse = childOf(*material, "diffuse"))
+      if (const auto rgba = read_.numbersOf(*diffuse); rgba.size() >= 3) return hexColour(rgba);
+  return {};
+}
+
 bool SdfShapes::skin(const XmlNode& node, Skin& out) {
   out.touches = node.tag == "collision";
   out.pose = sdfPose(node, read_);
@@ -99,10 +106,7 @@ bool SdfShapes::skin(const XmlNode& node, Skin& out) {
                  {{"density", "mass and inertia are those of <inertial>"},
                   {"transparency", "pictures are not transparent"}});
   surface(node, out);
-  if (const XmlNode* material = childOf(node, "material"))
-    if (const XmlNode* diffuse = childOf(*material, "diffuse"))
-      if (const auto rgba = read_.numbersOf(*diffuse); rgba.size() >= 3)
-        out.colour = hexColour(rgba);
+  out.colour = colour(node);
   const XmlNode* shape = childOf(node, "geometry");
   if (shape == nullptr || shape->children.empty()) {
     read_.fault(node, "<geometry> is missing");
@@ -116,6 +120,12 @@ std::vector<Skin> SdfShapes::skins(const XmlNode& link) {
   const bool touches = childOf(link, "collision") != nullptr;
   for (const XmlNode* c : childrenOf(link, touches ? "collision" : "visual"))
     if (Skin made; skin(*c, made)) out.push_back(made);
+  // Shapes of contact are drawn in the colour of the picture that they stand for.
+  std::string seen;
+  for (const XmlNode* c : childrenOf(link, "visual"))
+    if (touches && seen.empty()) seen = colour(*c);
+  for (Skin& made : out)
+    if (made.colour.empty()) made.colour = seen;
   return out;
 }
 

@@ -15,6 +15,8 @@ class SdfShapes {
   std::vector<Skin> skins(const XmlNode& link);
 
  private:
+  /// "#rrggbb" of a picture's material, or "".
+  std::string colour(const XmlNode& node);
   bool skin(const XmlNode& node, Skin& out);
   bool geometry(const XmlNode& shape, Skin& out);
   double size(const XmlNode& shape, const char* name);

@@ -38,6 +38,7 @@ class UrdfReader {
   void carry(Link& link, const UrdfJoint& joint);
   void limits(const XmlNode& node, const std::string& type, MachineJoint& out);
   void dynamics(const XmlNode& node, MachineJoint& out);
+  void drive(const XmlNode& node, const MachineJoint& joint);
   void mimic(const XmlNode& node, const std::string& name);
   void order();
 
@@ -161,12 +162,17 @@ Link UrdfReader::link(const XmlNode& node) {
                   {"self_collision_checking", "say --self-contact"}});
   if (const XmlNode* own = childOf(node, "inertial")) out.inertia = inertia(*own, origin(*own));
   const bool touches = childOf(node, "collision") != nullptr;
+  std::string seen;  // colour of the first picture that has one
   for (const XmlNode& c : node.children) {
     if (c.tag == "collision") skin(c, out);
     // A shape of contact is also drawn; two pictures of one body would hide each other.
     if (c.tag == "visual" && !touches) skin(c, out);
-    if (c.tag == "visual" && touches) read_.note(c, "the shapes of <collision> are drawn instead");
+    if (c.tag != "visual" || !touches) continue;
+    if (seen.empty()) seen = colour(c);
+    read_.note(c, "the shapes of <collision> are drawn instead, in its colour");
   }
+  for (Skin& skin : out.skins)
+    if (skin.colour.empty()) skin.colour = seen;
   return out;
 }
 
@@ -178,8 +184,8 @@ void UrdfReader::limits(const XmlNode& node, const std::string& type, MachineJoi
       read_.fault(node, "<limit> is missing", "a joint without limits is of type continuous");
     return;
   }
-  read_.readOnly(*limit, {"lower", "upper"}, {},
-                 {{"effort", "limits a drive; the model has none"},
+  read_.readOnly(*limit, {"lower", "upper", options_.drives ? "effort" : "lower"}, {},
+                 {{"effort", "limits a drive; the model has none: say --drives"},
                   {"velocity", "limits a drive; the model has none"},
                   {"acceleration", "limits a drive; the model has none"}});
   const double lower = read_.number(*limit, "lower", 0.0),
@@ -193,6 +199,17 @@ void UrdfReader::limits(const XmlNode& node, const std::string& type, MachineJoi
   }
   if (std::isfinite(lower)) out.lower = lower;
   if (std::isfinite(upper)) out.upper = upper;
+}
+
+/// With --drives: an input gives the joint its force, as far as the limit `effort` lets it.
+void UrdfReader::drive(const XmlNode& node, const MachineJoint& joint) {
+  if (!options_.drives || joint.kind == MachineJoint::Kind::ball || childOf(node, "mimic")) return;
+  Drive out;
+  out.name = joint.name + "_drive", out.joint = joint.name, out.place = node.place;
+  const XmlNode* limit = childOf(node, "limit");
+  const double effort = limit ? read_.number(*limit, "effort", 0.0) : 0.0;
+  if (effort > 0.0) out.lowForce = -effort, out.highForce = effort;
+  machine_.drives.push_back(out);
 }
 
 void UrdfReader::dynamics(const XmlNode& node, MachineJoint& out) {
@@ -247,6 +264,7 @@ void UrdfReader::carry(Link& link, const UrdfJoint& j) {
   limits(node, j.type, out);
   dynamics(node, out);
   mimic(node, j.name);
+  if (j.type != "planar") drive(node, out);
   if (j.type == "planar") {
     // Two slides in the plane and a turn about its normal.
     MachineJoint slide = out;

@@ -62,9 +62,9 @@ TEST_F(UrdfImport, MovesWithDampingFrictionAndArmature) {
             0);
   expectChecks();
   const double half = 3.14159265358979 / std::sqrt(9.81);  // half a period
-  // The angle counts from the start: from 1e-4 to −1e-4. Its relative error is φ²/16 and that of
+  // The angle counts as in the file: from 1e-4 to −1e-4. Its relative error is φ²/16 and that of
   // the run's tolerance, 1e-6 of the start.
-  EXPECT_NEAR(atEnd("hinge.angle", "--until " + std::to_string(half) + " --tolerance 1e-9"), -2e-4,
+  EXPECT_NEAR(atEnd("hinge.angle", "--until " + std::to_string(half) + " --tolerance 1e-9"), -1e-4,
               1e-8);
   ASSERT_EQ(
       import("p.urdf", pendulum("continuous", "<dynamics damping=\"0.3\" friction=\"0.2\"/>")), 0);
@@ -87,6 +87,41 @@ TEST_F(UrdfImport, MakesLimitsOneSidedAndStartsInsideOfThem) {
             std::string::npos)
       << notes_;
   EXPECT_NE(notes_.find("its limits exclude 0: it starts at 1"), std::string::npos) << notes_;
+}
+
+TEST_F(UrdfImport, TakesAStartWithinTheLimitsOnly) {
+  const std::string robot = pendulum("revolute", "<limit lower=\"0.5\" upper=\"1.5\"/>");
+  ASSERT_EQ(import("p.urdf", robot, "--at hinge=1.25"), 0);
+  EXPECT_EQ(notes_, "");  // that its limits exclude 0 needs no word any more
+  EXPECT_NEAR(atEnd("hinge.angle", "--until 1e-6"), 1.25, 1e-9);  // g/l t²/2
+  EXPECT_EQ(import("p.urdf", robot, "--at hinge=2"), 64);
+  EXPECT_NE(notes_.find("--at hinge=2: beyond the limits of the joint, 0.5 to 1.5 rad"),
+            std::string::npos)
+      << notes_;
+}
+
+TEST_F(UrdfImport, GivesJointsDrivesWhereTheyAreWanted) {
+  const std::string robot = pendulum("continuous", "<limit effort=\"3\"/>");
+  ASSERT_EQ(import("p.urdf", robot, "--drives"), 0);
+  EXPECT_EQ(notes_, "");
+  expectChecks();
+  EXPECT_NE(line("<Input").find("name=\"hinge_drive\""), std::string::npos);
+  EXPECT_NE(line("<JointForce").find("clamp(1*{hinge_drive.out}, -3, 3)"), std::string::npos);
+  ASSERT_EQ(import("p.urdf", robot), 0);
+  EXPECT_EQ(line("<Input"), "");
+  EXPECT_NE(notes_.find("say --drives"), std::string::npos) << notes_;
+}
+
+TEST_F(UrdfImport, DrawsShapesOfContactInTheColourOfThePicture) {
+  const std::string box = "<geometry><box size=\"1 1 1\"/></geometry>";
+  ASSERT_EQ(
+      import("p.urdf", pendulum("continuous", "",
+                                "<visual>" + box +
+                                    "<material name=\"m\"><color rgba=\"1 0 0 1\"/></material>"
+                                    "</visual><collision>" +
+                                    box + "</collision>")),
+      0);
+  EXPECT_NE(line("<Box").find("colour=\"#ff0000\""), std::string::npos) << line("<Box");
 }
 
 TEST_F(UrdfImport, JoinsLinksWithoutMassAsFrames) {
