@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <dynamy/io/files/file_error.hpp>
 #include <dynamy/io/files/json_reader.hpp>
+#include <dynamy/io/run_files/run_facts.hpp>
 
 #include "build_text.hpp"
 #include "live/driven_run.hpp"

@@ -8,6 +8,7 @@
 #include <dynamy/io/replay/replay_page.hpp>
 #include <dynamy/io/replay/svg_plot.hpp>
 #include <dynamy/io/run_files/packed_signals.hpp>
+#include <dynamy/io/run_files/run_facts.hpp>
 #include <dynamy/io/run_files/run_recording.hpp>
 #include <set>
 
@@ -61,7 +62,7 @@ void print(const RunFolder& folder, const Model& model, const RunShow& show,
 void writeFirstFacts(const RunFolder& folder, const Model& model, const RunChoice& choice,
                      const RunShow& show, const RunReport& report) {
   folder.writeFacts([&](JsonWriter& j) {
-    writeFacts(j, model, choice, report, {}, "running");
+    writeRunFacts(j, model, report, {}, "running", choice.set);
     if (show.facts) show.facts(j);
   });
 }
@@ -76,7 +77,7 @@ int conclude(const RunFolder& folder, const Model& model, const RunChoice& choic
   const auto write = [&] {
     folder.writeLastFacts(
         [&](JsonWriter& j) {
-          writeFacts(j, model, choice, report, checks, "");
+          writeRunFacts(j, model, report, checks, stateText(report), choice.set);
           writeFiles(j, files);
           j.member("eventsLeftOut", recording.eventsLeftOut());
           if (show.facts) show.facts(j);

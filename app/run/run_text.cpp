@@ -6,6 +6,7 @@
 
 #include <dynamy/core/utf8.hpp>
 #include <dynamy/core/version.hpp>
+#include <dynamy/io/run_files/run_facts.hpp>
 #include <dynamy/io/run_files/run_recording.hpp>
 
 #include "run/endings.hpp"
@@ -25,71 +26,6 @@ std::string checkLine(const CheckResult& c, int width) {
                      std::string(static_cast<std::size_t>(blanks), ' '),
                      c.note.empty() ? fmt::format("{:.9g}", c.got) : c.note, c.expected,
                      c.pass ? "PASS" : "FAIL", c.pass ? "" : " " + c.place.format());
-}
-
-void write(JsonWriter& json, const char* name, const Worst& w) {
-  json.key(name).beginObject().member("value", w.value);
-  if (w.value > 0.0) json.member("contact", w.name).member("t", w.t);
-  json.endObject();
-}
-
-void write(JsonWriter& json, const Unsolved& u) {
-  json.key("unsolved").beginObject().member("step", u.step).member("t", u.t);
-  json.member("status", u.status).member("residual", u.residual);
-  json.member("iterations", u.iterations).member("contact", u.contact).member("tried", u.tried);
-  json.member("findings", u.findings).endObject();
-}
-
-void write(JsonWriter& json, const EnergyReport& e) {
-  json.key("energy").beginObject();
-  json.member("start", e.start()).member("end", e.end());
-  json.member("kineticStart", e.kineticStart).member("potentialStart", e.potentialStart);
-  json.member("kineticEnd", e.kineticEnd).member("potentialEnd", e.potentialEnd);
-  json.member("nonPotential", e.nonPotential).member("friction", e.friction);
-  json.member("normal", e.normal).member("joints", e.joints).member("boundaries", e.boundaries);
-  json.member("discretisation", e.discretisation).member("imbalance", e.imbalance);
-  json.member("largestGain", e.largestGain).member("largestGainTime", e.largestGainTime);
-  json.endObject();
-}
-
-void write(JsonWriter& json, const std::vector<CheckResult>& checks) {
-  json.key("checks").beginArray();
-  for (const CheckResult& c : checks) {
-    json.beginObject().member("signal", c.signal).member("measure", c.measure);
-    if (!c.over.empty()) json.member("over", c.over);
-    json.member("got", c.got).member("low", c.low).member("high", c.high);
-    json.member("expected", c.expected).member("pass", c.pass);
-    if (!c.note.empty()) json.member("note", c.note);
-    json.endObject();
-  }
-  json.endArray();
-}
-
-void write(JsonWriter& json, const char* name, const StartReport::Part& p) {
-  json.key(name).beginObject().member("off", p.off).member("left", p.left);
-  json.member("joints", p.joints).member("joint", p.joint).endObject();
-}
-
-void write(JsonWriter& json, const StartReport& s) {
-  json.key("start").beginObject();
-  write(json, "positions", s.positions);
-  write(json, "velocities", s.velocities);
-  json.member("share", s.velocities.share).member("kineticBefore", s.kineticBefore);
-  json.member("kineticAfter", s.kineticAfter).endObject();
-}
-
-void writeSettings(JsonWriter& json, const Model& model, const RunChoice& choice) {
-  json.key("settings").beginObject();
-  json.member("until", model.simulation.until).member("step", model.simulation.step);
-  json.member("tolerance", model.simulation.tolerance);
-  json.member("integrator", model.scheme().type()).member("solver", model.solver().type());
-  json.member("impactLaw", model.impactLaw().type());
-  const double gTol = model.simulation.gTol;
-  json.member("gTol", gTol >= 0.0 ? gTol : 1e-12 * model.length());
-  json.member("every", model.record.every);
-  json.key("set").beginObject();
-  for (const auto& [name, value] : choice.set) json.member(name, value);
-  json.endObject().endObject();
 }
 
 }  // namespace
@@ -194,8 +130,6 @@ std::string qualifiedText(const RunReport& r, const std::vector<CheckResult>& ch
       " finished, but: {}   (exit status {}; --accept makes it 0, doc/run_folder.md)\n",
       qualifyingKinds(r, accepted), kQualified);
 }
-
-std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 std::string stepText(const Model& model) {
   const SimulationSettings& s = model.simulation;
@@ -362,80 +296,6 @@ std::string thinningText(const ReplaySize& size) {
                    "frames=…> sets "
                    "how many are recorded\n",
                    size.frames, size.recorded, static_cast<double>(size.wholeBytes) * 1e-6);
-}
-
-void writeSleep(JsonWriter& json, const SleepReport& s) {
-  json.key("sleep").beginObject().member("asleep", s.asleep).member("most", s.most);
-  json.member("slept", s.slept).member("woken", s.woken).member("saved", s.saved);
-  json.member("all", s.all).member("energy", s.energy).member("reason", s.reason).endObject();
-}
-
-void write(JsonWriter& json, const LocatedReport& r) {
-  json.member("switchesLocated", r.switches).member("islands", r.islands);
-  json.member("accumulationEnd", r.accumulationEnd);
-  json.member("accumulationsPassed", r.accumulations).member("undecided", r.undecided);
-}
-
-void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, const RunReport& r,
-                const std::vector<CheckResult>& checks, const std::string& state) {
-  json.member("state", state.empty() ? stateText(r) : state);
-  if (!r.reason.empty()) json.member("reason", r.reason);
-  json.member("dynamy", versionString()).member("title", model.title);
-  json.member("model", model.file.name);
-  writeSettings(json, model, choice);
-  const Topology& t = model.topology();
-  json.key("sizes").beginObject().member("systems", model.systems().size());
-  json.member("q", t.nq()).member("u", t.nu()).member("blocks", t.blocks());
-  json.member("contactElements", model.contacts().size());
-  json.member("contactsMax", r.contacts.most).endObject();
-  json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
-  json.member("divided", r.passing.divided).member("finest", r.passing.finest);
-  json.member("parted", r.passing.parted)
-      .member("left", r.passing.left)
-      .member("bounded", r.passing.bounded)
-      .member("damped", r.trust.damped);
-  json.member("simpler", r.simpler.steps);
-  json.member("evaluations", r.cost.evaluations).member("impacts", r.contacts.impacts);
-  json.member("switches", r.contacts.switches);
-  write(json, r.located);
-  json.key("effort").beginObject();
-  json.member("smooth", r.cost.effort.smooth).member("rejected", r.cost.effort.rejected);
-  json.member("switches", r.cost.effort.switches).member("events", r.cost.effort.events);
-  json.member("stepping", r.cost.effort.stepping);
-  json.member("looks", r.cost.effort.looks).member("gaps", r.cost.effort.gaps).endObject();
-  json.key("stepping").beginObject().member("periods", r.stepping.periods);
-  json.member("stalls", r.stepping.stalls).member("steps", r.stepping.steps);
-  json.member("systems", r.stepping.systems);
-  json.member("time", r.stepping.time).member("longest", r.stepping.longest);
-  json.member("error", r.stepping.error).member("total", r.stepping.total);
-  json.member("firstTime", r.stepping.first.t);
-  json.member("firstContact", r.stepping.first.name).endObject();
-  writeSleep(json, r.cost.sleep);
-  json.member("repairedImpacts", r.contacts.repairedImpacts);
-  write(json, "energyGain", r.contacts.energyGain);
-  json.key("solver").beginObject().member("solves", r.solver.solves);
-  json.member("iterations", r.solver.iterations)
-      .member("iterationsMean", r.solver.iterationsMean());
-  json.member("iterationsMax", r.solver.iterationsMax).member("unconverged", r.solver.unconverged);
-  write(json, "worstResidual", r.solver.residual);
-  if (r.solver.unsolved.step > 0) write(json, r.solver.unsolved);
-  json.endObject();
-  write(json, "penetration", r.gaps.penetration);
-  write(json, "solvedOverlap", r.gaps.solvedOverlap);
-  write(json, "jointError", r.gaps.jointError);
-  write(json, r.start);
-  json.member("cpu_s", r.cost.cpu).member("wall_s", r.cost.wall);
-  write(json, r.energy);
-  json.key("figures").beginObject();
-  for (const RunFigure& f : runFigures()) json.member(f.name, f.value(r));
-  json.endObject();
-  writeWarnings(json, r.warnings);
-  write(json, checks);
-  json.key("signals").beginArray();
-  for (const SignalName& s : recordedSignals(model))
-    json.beginObject().member("name", s.name).member("unit", s.unit).endObject();
-  json.endArray();
-  json.member("hash", hashText(r.hash));
 }
 
 }  // namespace dynamy::app

@@ -17,11 +17,6 @@ std::string headText(const Model& model, const RunChoice& choice);
 std::string resultText(const Model& model, const RunReport& report,
                        const std::vector<CheckResult>& checks, const std::filesystem::path& folder);
 
-/// Writes the general members of run.json. If `state` is "", the member says how the run ended.
-void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice,
-                const RunReport& report, const std::vector<CheckResult>& checks,
-                const std::string& state);
-
 /// How the run ended: "finished", "stopped by SIGTERM", "failed".
 std::string stateText(const RunReport& report);
 
@@ -54,8 +49,5 @@ std::string unsolvedText(const RunReport& report);
 /// Folder of the dumped problems, and how many do not fit FCLIB's layout, with the reason.
 std::string problemsText(const ProblemDump& dump, const std::filesystem::path& folder);
 void writeProblems(JsonWriter& json, const ProblemDump& dump);
-
-/// "16 hexadecimal digits".
-std::string hashText(std::uint64_t hash);
 
 }  // namespace dynamy::app

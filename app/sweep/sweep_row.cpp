@@ -7,6 +7,7 @@
 #include <dynamy/io/files/csv.hpp>
 #include <dynamy/io/files/json_writer.hpp>
 #include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/run_files/run_facts.hpp>
 #include <dynamy/simulation/report/run_watch.hpp>
 #include <dynamy/simulation/report/signal_sampler.hpp>
 

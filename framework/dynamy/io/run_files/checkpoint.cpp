@@ -177,7 +177,8 @@ FoundCheckpoint findCheckpoint(const RunFolder& folder) {
   if (!fs::exists(folder.checkpoint(), error) && !fs::exists(folder.olderCheckpoint(), error))
     throw FileError(folder.path().string(),
                     "holds no checkpoint: the run was killed before it wrote the first one, or it "
-                    "ran with --no-checkpoint; run the model again");
+                    "ran with --no-checkpoint or in Python, which writes none; run the model "
+                    "again");
   out.checkpoint = {};
   const std::string older = read(folder, folder.olderCheckpoint(), out.checkpoint);
   if (!older.empty())
