@@ -117,15 +117,20 @@ class Run:
         """Poses of all frames and the drawn contacts: Frames."""
         return self._once("frames.bin", Frames)
 
-    def frame(self, of="signals"):
-        """`signals`, `ledger` or `events` as a DataFrame of pandas; the index is the time [s]."""
+    def frame(self, of="signals", unique=False):
+        """`signals`, `ledger` or `events` as a DataFrame of pandas; the index is the time [s].
+
+        At an impact there are two rows, before and after it; unique=True keeps the latter, for
+        `reindex`, `join` and `asof`.
+        """
         if of not in ("signals", "ledger", "events"):
             raise ValueError(f'there is no table "{of}", but signals, ledger, events')
         pandas = _package("pandas", "tables")
         table = pandas.DataFrame(getattr(self, of), columns=_EVENT if of == "events" else None)
         if of == "signals":
             table.attrs["units"] = dict(self.units)
-        return table.set_index("t")
+        table = table.set_index("t")
+        return table[~table.index.duplicated(keep="last")] if unique else table
 
     def plot(self, *names, axes=None):
         """Signals over time, one curve each; returns the axes. Needs matplotlib."""

@@ -54,7 +54,17 @@ Model load(const std::filesystem::path& file, const py::kwargs& set) {
     throw ModelError("the name of a file is needed, this is a text", "write dynamy.model(text)");
   LoadOptions options;
   options.set = overrides(set);
-  return loadModel(file.string(), library().registry, library().plugins, options);
+  try {
+    return loadModel(file.string(), library().registry, library().plugins, options);
+  } catch (const ModelError& e) {
+    for (const char* setting : {"until", "step", "tolerance", "record", "every"})
+      if (std::string(e.what()).find(std::string("no parameter \"") + setting) != std::string::npos)
+        throw ModelError(
+            std::string("keywords replace parameters of the file, of which none is \"") + setting +
+                '"',
+            std::string("set it afterwards: model.") + setting + " = …");
+    throw;
+  }
 }
 
 Model fromText(const std::string& text, const py::kwargs& set) {

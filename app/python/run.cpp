@@ -6,6 +6,7 @@
 
 #include <dynamy/io/replay/replay_page.hpp>
 #include <dynamy/io/run_files/packed_signals.hpp>
+#include <dynamy/io/run_files/run_facts.hpp>
 #include <dynamy/io/run_files/run_recording.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
@@ -22,6 +23,12 @@ namespace py = pybind11;
 namespace dynamy::python {
 namespace {
 
+/// Throws ValueError for an input that is no number.
+void requireNumber(const std::string& input, double value) {
+  if (!std::isfinite(value))
+    throw py::value_error("the input \"" + input + "\" gets a number, not " + numberText(value));
+}
+
 /// The end of a step of a run, as a Python function sees it while it is called.
 class Moment {
  public:
@@ -30,6 +37,7 @@ class Moment {
   const State& state() const { return view_.after; }
   double signal(const std::string& name) { return signals_.value(view_, name); }
   void input(const std::string& name, double value) {
+    requireNumber(name, value);
     simulation_.input(signals_.input(name), value);
   }
 
@@ -39,23 +47,36 @@ class Moment {
   NamedSignals& signals_;
 };
 
-/// Calls a Python function after each step. The function ends the run by returning
-/// False.
+/// Calls a Python function after each step or, with `every` [s], at the start and at multiples of
+/// it. The function ends the run by returning False.
 class Callback final : public Observer {
  public:
-  Callback(py::object call, Simulation& simulation, const Model& model, std::atomic<bool>& stop)
-      : call_(std::move(call)), simulation_(simulation), signals_(model), stop_(stop) {}
+  Callback(py::object call, double every, Simulation& simulation, const Model& model,
+           std::atomic<bool>& stop)
+      : call_(std::move(call)),
+        every_(every),
+        simulation_(simulation),
+        signals_(model),
+        stop_(stop) {}
   bool readsContacts() const override { return !call_.is_none(); }
+  void start(const StepView& view) override {
+    next_ = view.after.t;
+    if (every_ > 0.0) step(view);
+  }
   void step(const StepView& view) override {
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (call_.is_none()) return;
+      if (every_ > 0.0) {
+        if (SampleInstants::isWithin(view.after.t, next_)) return;
+        next_ = every_ * (std::floor(view.after.t / every_ * (1.0 + 1e-12)) + 1.0);
+      }
       Moment moment(view, simulation_, signals_);
       const py::object answer = call_(py::cast(&moment, py::return_value_policy::reference));
       if (py::isinstance<py::bool_>(answer) && !answer.cast<bool>()) stop_ = true;
     } catch (const py::error_already_set&) {
       fault_ = std::current_exception(), stop_ = true;
-    } catch (const ModelError&) {
+    } catch (const std::exception&) {  // of names and values
       fault_ = std::current_exception(), stop_ = true;
     }
   }
@@ -66,6 +87,7 @@ class Callback final : public Observer {
 
  private:
   py::object call_;
+  double every_, next_ = 0.0;  // [s]
   Simulation& simulation_;
   NamedSignals signals_;
   std::atomic<bool>& stop_;
@@ -106,23 +128,20 @@ py::dict figures(const Simulation& simulation) {
   return out;
 }
 
-void writeFolderFacts(const RunFolder& folder, const Model& model, const RunReport& r) {
+void writeFolderFacts(const RunFolder& folder, const Model& model, const Simulation& simulation) {
   folder.writeFacts([&](JsonWriter& j) {
-    j.member("state", endText(r.ended)).member("title", model.title).member("t", r.t);
-    j.member("steps", r.steps).member("impacts", r.contacts.impacts).member("wall_s", r.cost.wall);
-    writeWarnings(j, r.warnings);
-    j.key("signals").beginArray();
-    for (const SignalName& s : recordedSignals(model))
-      j.beginObject().member("name", s.name).member("unit", s.unit).endObject();
-    j.endArray();
+    writeRunFacts(j, model, simulation.report(), simulation.checks(),
+                  endText(simulation.report().ended), {});
   });
 }
 
 /// Runs a model from its initial state into a run folder.
-py::dict runInto(Model& model, const py::object& each, const std::string& out, bool replay) {
+py::dict runInto(Model& model, const py::object& each, double every, const std::string& out,
+                 bool replay) {
   std::atomic<bool> stop{false};
+  model.simulation.sampleEvery = each.is_none() ? 0.0 : every;
   Simulation simulation(model);
-  Callback callback(each, simulation, model, stop);
+  Callback callback(each, every, simulation, model, stop);
   simulation.observe(callback);
   simulation.stopWhen(stop);
   const RunFolder folder(out);
@@ -133,7 +152,7 @@ py::dict runInto(Model& model, const py::object& each, const std::string& out, b
   recording.flush();
   callback.raise();
   if (!recording.fault().empty()) throw std::runtime_error(std::string(recording.fault()));
-  writeFolderFacts(folder, model, simulation.report());
+  writeFolderFacts(folder, model, simulation);
   if (!replay) return figures(simulation);
   writeReplay(folder.path());
   if (model.record.packed) packSignals(folder, recordedSignals(model), model.title);
@@ -207,6 +226,7 @@ class Steps {
     return signals_.value(attempt_.view(steps_, steps_ > 0), name);
   }
   void input(const std::string& name, double value) {
+    requireNumber(name, value);
     state().memory[signals_.input(name).first] = value;
   }
 
@@ -238,8 +258,8 @@ class Steps {
 }  // namespace
 
 void bindRun(py::module_& m) {
-  m.def("_run_into", &runInto, py::arg("model"), py::arg("each"), py::arg("out"), py::arg("replay"),
-        "Runs a model into a folder; dynamy.run reads it. Returns the figures.");
+  m.def("_run_into", &runInto, py::arg("model"), py::arg("each"), py::arg("every"), py::arg("out"),
+        py::arg("replay"), "Runs a model into a folder; dynamy.run reads it. Returns the figures.");
   m.def(
       "_write_replay", [](const std::string& folder) { writeReplay(folder); }, py::arg("folder"));
   py::class_<Moment>(m, "Moment", "The end of a step, while each(now) is called.")
@@ -251,8 +271,15 @@ void bindRun(py::module_& m) {
       .def("__getitem__", &Moment::signal, py::arg("signal"), "Value of a signal.")
       .def("__setitem__", &Moment::input, py::arg("input"), py::arg("value"),
            "Sets an <Input> from here on.");
-  py::class_<Steps>(m, "Simulation", "Single steps of a built model.")
-      .def(py::init<Model&>(), py::arg("model"), py::keep_alive<1, 2>())
+  py::class_<Steps>(m, "Simulation",
+                    "Single steps of a built model; what is to be kept of them, keep yourself.")
+      .def(py::init([](const py::object& model) {
+             if (!py::isinstance<Model>(model))
+               throw py::type_error("Simulation() steps a model, such as dynamy.load(" +
+                                    std::string(py::repr(model)) + ")");
+             return std::make_unique<Steps>(model.cast<Model&>());
+           }),
+           py::arg("model"), py::keep_alive<1, 2>())
       .def_property_readonly("state", &Steps::state, py::return_value_policy::reference_internal)
       .def("step", &Steps::step, py::arg("dt") = 0.0,
            "One step of length dt [s]; default: the model's. With a tolerance, the next step of "
@@ -260,10 +287,13 @@ void bindRun(py::module_& m) {
            "scheme, dt at most. A step ends where a block samples. Returns contacts, status,\n"
            "iterations, residual of the inclusion.")
       .def("advance", &Steps::advance, py::arg("dt"),
-           "Takes the steps that end exactly dt [s] later, with every scheme.")
+           "Takes the steps that end exactly dt [s] later, with every scheme, also beyond the\n"
+           "model's `until`.")
       .def("__getitem__", &Steps::signal, py::arg("signal"), "Value of a signal now.")
       .def("__setitem__", &Steps::input, py::arg("input"), py::arg("value"),
            "Sets an <Input> from now on.")
+      .def_property_readonly(
+          "t", [](Steps& x) { return x.state().t; }, "Time [s].")
       .def_property_readonly("contacts", &Steps::contacts,
                              "Contacts of the last step: name, Lambda [N s].")
       .def_property_readonly("energy", &Steps::energy, "T + V [J].");

@@ -2,6 +2,7 @@
 
 import html
 import importlib.util
+import math
 import pickle
 import re
 import sys
@@ -185,6 +186,42 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(dynamy.ModelError, "no input named"):
             dynamy.run(model, each=lambda now: now.__setitem__("motor", 1.0))
 
+    def test_a_function_is_called_by_its_own_clock(self):
+        for how in ('tolerance="1e-6">', 'step="30ms"><MoreauMidpoint/>'):
+            model = dynamy.model(self.CART.replace("SIMULATION", how).replace("FORCES", '<Input name="in"/>')
+                                 .replace("IN", "in"))
+            model.until, seen = 1.0, []
+
+            def each(now):
+                seen.append((now.t, now["cart.vx"]))
+                now["in"] = 2.0
+            run = model.run(each=each, every=0.25)
+            self.assertEqual([t for t, _ in seen], [0.0, 0.25, 0.5, 0.75, 1.0])
+            # The input of t = 0 acts from the start: 1 m/s + 2 N/2 kg t, exact but for rounding.
+            for t, v in seen:
+                self.assertAlmostEqual(v, 1.0 + t, delta=1e-12)
+            self.assertEqual(len(run.facts["hash"]), 16)
+            self.assertIn("nonPotential", run.facts["energy"])
+
+    def test_messages_of_steps_and_clocks(self):
+        model = dynamy.model(self.CART.replace("SIMULATION", 'step="10ms"><MoreauMidpoint/>')
+                             .replace("FORCES", '<Input name="in"/>').replace("IN", "in"))
+        with self.assertRaisesRegex(ValueError, 'the input "in" gets a number, not nan'):
+            dynamy.Simulation(model)["in"] = math.nan
+        with self.assertRaisesRegex(ValueError, 'the input "in" gets a number, not inf'):
+            model.run(each=lambda now: now.__setitem__("in", math.inf))
+        with self.assertRaisesRegex(TypeError, "such as dynamy.load"):
+            dynamy.Simulation("ball.xml")
+        with self.assertRaisesRegex(ValueError, "every is a time"):
+            model.run(each=print, every=-1)
+        with self.assertRaisesRegex(TypeError, "every is the time between"):
+            model.run(every=1)
+        with self.assertRaisesRegex(dynamy.ModelError, "model.until = "):
+            dynamy.load(SOURCE / "models" / "bouncing_ball.xml", until=2)
+        simulation = dynamy.Simulation(model)
+        simulation.advance(0.25)
+        self.assertEqual(simulation.t, 0.25)
+
     def test_a_written_velocity_counts_with_every_scheme(self):
         for how in self.SIMULATIONS:
             simulation = dynamy.Simulation(dynamy.model(
@@ -236,7 +273,7 @@ class Module(unittest.TestCase):
                 self.assertEqual(run.ledger["normal"].tolist(), other.ledger["normal"].tolist())
                 self.assertEqual(run.frames.pose.tolist(), other.frames.pose.tolist())
                 self.assertFalse(other.qualified)
-            wall = re.compile(r"wall_s[^,}]*")  # the one figure of a run that is another each time
+            wall = re.compile(r"(wall|cpu)_s[^,}]*")  # the figures of a run that are others each time
             self.assertEqual(wall.sub("", written.page()), wall.sub("", run.page()))
         self.assertEqual(run.figures["state"], run.facts["state"])
         self.assertIn("ball.z", run)
@@ -262,6 +299,13 @@ class Module(unittest.TestCase):
         table = run.frame()
         self.assertEqual(table.index.tolist(), run.t.tolist())
         self.assertEqual(table["ball.z"].tolist(), run["ball.z"].tolist())
+        model = dynamy.load(SOURCE / "models" / "bouncing_ball.xml")
+        model.tolerance = 1e-6
+        run = model.run()
+        self.assertFalse(run.frame().index.is_unique)  # rows before and after an impact
+        after = run.frame(unique=True)
+        self.assertTrue(after.index.is_unique)
+        self.assertGreater(after["ball.vz"][run.events[0]["t"]], 0)
         self.assertEqual(table.attrs["units"]["ball.z"], "m")
         self.assertEqual(len(run.frame("events")), len(run.events))
         self.assertEqual(run.frame("ledger").index.name, "t")

@@ -1,5 +1,6 @@
 """Runs of models, with what they recorded."""
 
+import math
 import os
 import tempfile
 from pathlib import Path
@@ -85,12 +86,13 @@ class Run(dynamy_run.Run):
 
 
 def run(model: _core.Model, each: Optional[Callable[[_core.Moment], Optional[bool]]] = None,
-        out: Union[str, "os.PathLike[str]"] = "") -> Run:
+        out: Union[str, "os.PathLike[str]"] = "", every: float = 0.0) -> Run:
     """Runs a built model from its initial state.
 
     each(now) is called after every step with now.t, now.q, now.u, now["cart.x"],
-    and now["motor"] = 3.0 for an <Input>; False ends the run. With out=DIR the run is written
-    there with its replay, else it is kept in memory.
+    and now["motor"] = 3.0 for an <Input>; False ends the run. With every=T it is called at 0, T,
+    2 T, … instead [s], where steps end then: the clock of a controller. With out=DIR the run is
+    written there with its replay, else it is kept in memory.
     """
     if not isinstance(model, _core.Model):
         raise TypeError(f"run() needs a model, such as dynamy.load({model!r})"
@@ -98,10 +100,14 @@ def run(model: _core.Model, each: Optional[Callable[[_core.Moment], Optional[boo
                         f"run() needs a model, not {model!r}")
     if each is not None and not callable(each):
         raise TypeError(f"each is a function of a moment, not {each!r}")
+    if not 0.0 <= every < math.inf:
+        raise ValueError(f"every is a time between two calls [s], not {every!r}")
+    if every and each is None:
+        raise TypeError("every is the time between two calls of each, which is not given")
     if os.fspath(out):
-        return Run(out, _core._run_into(model, each, os.fspath(out), True))
+        return Run(out, _core._run_into(model, each, every, os.fspath(out), True))
     with tempfile.TemporaryDirectory(prefix="dynamy") as folder:
-        return Run(folder, _core._run_into(model, each, folder, False)).keep()
+        return Run(folder, _core._run_into(model, each, every, folder, False)).keep()
 
 
 setattr(_core.Model, "run", run)

@@ -32,7 +32,9 @@ struct SimulationSettings {
   double step = 0.0;       ///< Δt [s]; 0: not given
   double tolerance = 0.0;  ///< error tolerance, 0: not given (fixed step)
   double gTol = -1.0;      ///< closed: g ≤ gTol [m]; negative: 1e-12 of the scene's length
-  double sleep = 0.0;      ///< speed below which bodies at rest may sleep [m/s]; 0: none do
+  double sampleEvery =
+      0.0;             ///< steps end at multiples of it, as where a block samples [s]; 0: none
+  double sleep = 0.0;  ///< speed below which bodies at rest may sleep [m/s]; 0: none do
   NonConvergence onNonConvergence = NonConvergence::warn;
   Project project = Project::none;
   JointCoordinates coordinates = JointCoordinates::absolute;

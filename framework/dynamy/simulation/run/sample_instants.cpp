@@ -18,6 +18,9 @@ SampleInstants::SampleInstants(const Model& model) {
   for (const NamedSignal& s : model.signals())
     if (s.name == kNextSample || s.name.ends_with("." + std::string(kNextSample)))
       next_.push_back(s.signal.value);
+  if (const double period = model.simulation.sampleEvery; period > 0.0)
+    next_.push_back(
+        [period](const SignalView& v) { return period * (std::floor(v.t / period) + 1.0); });
 }
 
 double SampleInstants::after(double t) const {

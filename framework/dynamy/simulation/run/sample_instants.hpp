@@ -11,6 +11,7 @@ class Model;
 class SampleInstants {
  public:
   SampleInstants() = default;  ///< none
+  /// Those of the model's elements, and of its settings (sampleEvery).
   explicit SampleInstants(const Model& model);
   /// The first instant after t; one that t reaches up to rounding is not after it. Infinity: none.
   double after(double t) const;
