@@ -209,6 +209,15 @@ std::string stepsText(const RunReport& r) {
   return out;
 }
 
+std::string steppingText(const SteppingReport& s) {
+  if (s.periods == 0) return {};
+  return fmt::format(
+      " {} in time over {:.4g} s in {} ({}): switches too dense to be located, or of what no gap "
+      "follows{}\n",
+      counted(s.steps, "step"), s.time, counted(s.periods, "period"), counted(s.stalls, "stall"),
+      s.impatient > 0 ? fmt::format(", or too dear ({} of them)", s.impatient) : "");
+}
+
 std::string sleepText(const Model& model, const SleepReport& s) {
   if (!(model.simulation.sleep > 0.0)) return {};
   if (s.slept == 0)
@@ -241,11 +250,7 @@ std::string resultText(const Model& model, const RunReport& r,
         " {} located, {} passed{}\n", counted(r.located.switches, "switch", "switches"),
         counted(r.located.accumulations, "accumulation"),
         r.located.undecided > 0 ? fmt::format(", {} UNDECIDED", r.located.undecided) : "");
-  if (const SteppingReport& s = r.stepping; s.periods > 0)
-    out += fmt::format(
-        " {} in time over {:.4g} s in {} ({}): switches too dense to be located, or of what no gap "
-        "follows\n",
-        counted(s.steps, "step"), s.time, counted(s.periods, "period"), counted(s.stalls, "stall"));
+  out += steppingText(r.stepping);
   out += effortText(r);
   out += stepsText(r) + sleepText(model, r.cost.sleep);
   if (r.contacts.repairedImpacts > 0)

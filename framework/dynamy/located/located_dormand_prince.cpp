@@ -9,6 +9,10 @@ namespace dynamy {
 namespace {
 
 /// Velocities and rows of a usual evaluation, and its work; one of a larger model is worth more.
+/// Of the run: T of steps in time where it has no patience left.
+constexpr double kOfRun = 0.1;
+/// A step that diverges is halved twice, down to a part of the least step.
+constexpr double kQuarter = 0.25, kLeastSense = 1e-3;
 constexpr double kUsualRows = 80, kUsualEvaluation = 100 * kUsualRows;
 constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to the step
 
@@ -57,7 +61,10 @@ double nextInTime(const IslandClocks& clocks, double t, double h) {
 }  // namespace
 
 LocatedDormandPrince::LocatedDormandPrince(const Parameters& x)
-    : LocatedDormandPrince(x, {.stiff = stiffOf(x), .oneClock = x["clocks"].text == "one"}) {}
+    : LocatedDormandPrince(
+          x,
+          {.stiff = stiffOf(x), .patience = x["patience"], .oneClock = x["clocks"].text == "one"}) {
+}
 
 LocatedDormandPrince::LocatedDormandPrince(const Parameters& x, const LocatedSettings& settings)
     : OneStep(x), governed_(settings) {}
@@ -85,6 +92,12 @@ void LocatedDormandPrince::declare(Attributes& a) {
   a.choice("clocks", {"islands", "one"}, "islands",
            "islands: bodies that do not touch have steps of their own, which end at their own "
            "switches; one: all bodies end their steps together");
+  a.optional(
+       "patience", Unit::none, 1.0,
+       "factor on the work after which what is most expensive is stepped in time, with a "
+       "warning: by default some seconds of small models, 1e5 evaluations of large ones; inf: "
+       "never")
+      .positive();
   a.example("<simulation until=\"1\" tolerance=\"1e-6\"><LocatedDormandPrince/></simulation>");
 }
 
@@ -102,6 +115,10 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
     steppedFrom_.scheme = kept.scheme;
     return kept.any() ? stepInTime(s, solver, x, dt, s.evaluations()) : stepApart(s, solver, x, dt);
   }
+  RunPatience& patience = governed_.state().patience;
+  governed_.allow(patience.allowance(governed_.motion().settings().patience,
+                                     static_cast<double>(s.parts().topology->nu()), x.t,
+                                     s.limits.end));
   const Refusal refusal = governed_.locate(s, solver, x, dt, report);
   if (governed_.turned()) steps_.begin(), steppedFrom_.scheme.resize(0);
   if (refusal.passable) {
@@ -130,7 +147,8 @@ StepReport LocatedDormandPrince::stepApart(MechanicalSystem& s, InclusionSolver&
   StepReport report;
   clocks_.stand(s, solver, governed_, x, stepped);
   const long before = s.evaluations();
-  if (const Refusal refusal = clocks_.follow(s, solver, x, x.t + dt, stepped)) {
+  if (const Refusal refusal =
+          clocks_.follow(s, solver, x, x.t + dt, stepped, governed_.state().patience)) {
     refusal_ = refusal.why, report.refused = refusal_;
     return report;
   }
@@ -165,24 +183,32 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
   clocks_.stand(s, solver, governed_, steppedFrom_, stepped);
   steps_.prepare(s, steppedFrom_, std::min(governor.h(), dt));
   out.again = s.evaluations() - before;
+  double most = dt;
   for (;; ++out.rejected) {
-    if (const Refusal r = clocks_.follow(s, solver, steppedFrom_, steppedFrom_.t + dt, stepped)) {
+    if (const Refusal r = clocks_.follow(s, solver, steppedFrom_, steppedFrom_.t + dt, stepped,
+                                         governed_.state().patience)) {
       out.refused = r.why;
       return out;
     }
     const double known = std::min(knownUpTo(clocks_.clocks()), steppedFrom_.t + dt);
     double& h = out.h;
-    h = std::min(governor.h(), dt);
+    h = std::min(governor.h(), most);
     out.tE = h == dt ? steppedFrom_.t + dt : steppedFrom_.t + h;
     if (known <= out.tE + kSliver * h) out.tE = known, h = out.tE - steppedFrom_.t;
     clocks_.place(s, out.tE);
-    const SteppedIslands::Trial trial = steps_.attempt(s, solver, norm, islands_, stepped.systems,
-                                                       stepped.searches.next(), steppedFrom_, x, h);
+    const SteppedIslands::Trial trial =
+        steps_.attempt(s, solver, norm, islands_, stepped.systems,
+                       governor.effort(stepped.searches.next()), steppedFrom_, x, h);
     stepped.searches.done(trial.report.solved.ok() && !trial.report.solved.inVain);
     out.report = trial.report, out.error = trial.error, out.newton += trial.newton;
     // A step to the end of a located one may be longer than the shortest by a sliver, in each try.
-    if (trial.good() || !(h > (1.0 + 2.0 * kSliver) * governor.least())) break;
-    governor.shorten(h, std::max(trial.error, 1.0));
+    if (trial.good()) break;
+    if (h > (1.0 + 2.0 * kSliver) * governor.least()) {
+      governor.shorten(h, std::max(trial.error, 1.0));
+      continue;
+    }
+    if (!trial.bursts || h < kLeastSense * governor.least()) break;
+    most = kQuarter * h;
   }
   return out;
 }
@@ -194,7 +220,11 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   SwitchGovernor& governor = governed_.governor();
   const ErrorNorm& norm = governed_.motion().parts().norm;
   stepped_ = true;
-  if (stepped.time <= 0.0) stepped.time = presentTime(norm, x.u);
+  if (stepped.time <= 0.0) {
+    stepped.time = presentTime(norm, x.u);
+    if (governor.turnedBy() == TurnedBy::patience)
+      stepped.time = std::max(stepped.time, kOfRun * s.limits.end);
+  }
   governor.scales(norm.tolerance(), stepped.time);
   islands_.start(s.parts());
   const double visited = visits(s);
@@ -224,12 +254,16 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   governor.told();
   const auto evaluated = static_cast<double>(evaluations);
   const double work = governed_.steppedWork(s, evaluated, taken.newton);
-  // Where the inclusion is not solved, its search in vain counts as well: a visit of a contact costs
-  // as much as one velocity of an evaluation (theory section 37.7).
-  const double larger = std::max(1.0, governed_.steppedWork(s, 1.0, 0.0) / kUsualEvaluation);
-  const double worth =
-      evaluated * larger + (report.solved.ok() ? 0.0 : (visits(s) - visited) / kUsualRows);
-  governor.stepped(x.t, taken.h, taken.error, work, taken.rejected > 0, worth);
+  // A visit of a contact by solvers costs as much as one velocity of an evaluation (section 37.7),
+  // and more among many rows.
+  const ContactSet& contacts = s.slot(0).contacts;
+  const double larger = std::max(1.0, governed_.steppedWork(s, 1.0, 0.0) / kUsualEvaluation) +
+                        RunPatience::kSearch / kUsualRows *
+                            static_cast<double>(contacts.features.searched),
+               longer = std::max(1.0, contacts.rows() / kUsualRows);
+  const double worth = evaluated * larger + (visits(s) - visited) / kUsualRows * longer;
+  governor.stepped(x.t, taken.h, taken.error, work, taken.rejected > 0, worth, s.limits.end);
+  governed_.state().patience.spend(kUsualRows * worth);
   governed_.state().next = nextInTime(clocks_.clocks(), x.t, governor.h());
   stepped.rate = steps_.rate(), stepped.overlap = steps_.overlap();
   stepped.projected = steps_.projected(), stepped.scheme = x.scheme;

@@ -7,6 +7,7 @@
 #include <dynamy/stages/implicit_forces.hpp>
 #include <dynamy/stages/impulse_start.hpp>
 #include <dynamy/stages/position_aim.hpp>
+#include <limits>
 
 namespace dynamy {
 
@@ -21,6 +22,8 @@ struct StepLimits {
   /// The step is a part of another: forces that it resolves are taken by a neutral rule, which keeps
   /// their energy although parts are not equal.
   bool neutral = false;
+  /// End of the run [s]; infinity: not known.
+  double end = std::numeric_limits<double>::infinity();
   Workers* workers = nullptr;               ///< threads; null: the caller's alone. Borrowed.
   const std::atomic<bool>* stop = nullptr;  ///< solvers stop once it is set; null: never. Borrowed.
   SolverWork* work = nullptr;  ///< counts what solvers do; null: nobody does. Borrowed.

@@ -18,7 +18,7 @@ struct StepEffort {
 };
 
 /// Why a scheme that locates switches turns to steps in time.
-enum class TurnedBy : std::uint8_t { none, stall, density };
+enum class TurnedBy : std::uint8_t { none, stall, density, patience };
 
 /// Counts of one step of a scheme that chooses its steps.
 struct StepCounts {

@@ -196,8 +196,10 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
     select(s, e.contacts, x, level);
     problem_.effort = effort;
     const bool solved = level == Level::touch ? close(e) : solve(e, *solver);
-    if (!solved && (level == Level::touch || turn > 2)) return false;
-    if (!solved) effort = Effort::retried, start_ = x;  // the next turn corrects the rest
+    const int most = effort == Effort::little ? 0 : 2;
+    if (!solved && (level == Level::touch || turn > most)) return false;
+    // The next turn corrects the rest.
+    if (!solved) effort = std::max(effort, Effort::retried), start_ = x;
     delta_ /= kDisplacementTime;
     const double t = x.t;
     s.move(x, delta_, kDisplacementTime);

@@ -113,10 +113,12 @@ void ShapeContacts::report(const TouchingPair& pair, Look look, const Kinematics
         rule.following == Following::jumping || rule.following == Following::searched;
     const bool apart = searched && rule.plane == 0 && std::isfinite(reach) &&
                        seenApart(posed.a, posed.b, posed.A, posed.B, reach);
-    if (!apart) rule.kernel->contacts(to);
-    return;
+    if (apart) return;
+    if (searched) sink.searched();
+    return rule.kernel->contacts(to);
   }
   if (rule.following == Following::pairwise) return rule.kernel->follow(to);
+  if (rule.following != Following::gaps) sink.searched();
   const bool jumps = rule.following == Following::jumping,
              noted = jumps || (rule.following == Following::searched && !few),
              watches = look == Look::ahead || (jumps && sink.request().absent);

@@ -8,13 +8,14 @@ constexpr int kDense = 64;  ///< problems with more rows are solved by sparse me
 /// Floating-point operations of an evaluation of M, h and contacts, per velocity or row.
 constexpr double kPerRow = 100.0;
 constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
+constexpr double kEach = 5.0, kRowsCubed = 500.0, kPerGap = 4.0;
 
 }  // namespace
 
 bool GovernedMotion::load(const MechanicalSystem& s, const State& x) {
   fresh_ = x.scheme.size() == 0;
   if (fresh_) {
-    state_.governor = {};
+    state_.governor = {}, state_.patience = {}, state_.pace = {};
     return true;
   }
   // What this object has just stored is known. A state from elsewhere is checked.
@@ -38,12 +39,14 @@ Refusal GovernedMotion::locate(MechanicalSystem& s, InclusionSolver& solver, Sta
                                    .scaled = !fresh_,
                                    .goesOn = !anew && stored_.size() > 0,
                                    .lastSwitched = governor.turnedAt()};
-  governor.locate();
+  governor.mode(SwitchGovernor::Mode::locate);
   Refusal refusal = motion_.advance(s, solver, x, start, dt, report);
   const ErrorNorm& norm = motion_.parts().norm;
   governor.scales(norm.tolerance(), norm.time());
   if (anew) work_.begin(s.parts(), norm.times().size());
   stored_.resize(0);
+  spent_ = workOf(s, s.evaluations() - before - motion_.parts().repeated);
+  state_.patience.spend(spent_);
   if (refusal) {
     if (refusal.passable) governor.turn(x.t, TurnedBy::stall, motion_.lastSwitched());
   } else {
@@ -80,7 +83,7 @@ void GovernedMotion::store(State& x) {
 }
 
 void GovernedMotion::leave(const MechanicalSystem& s) {
-  state_.governor.leave();
+  state_.governor.mode(SwitchGovernor::Mode::step);
   state_.stepped = {};
   state_.stepped.systems.assign(s.parts().topology->systems().size(), 0);
 }
@@ -92,13 +95,27 @@ void GovernedMotion::govern(const MechanicalSystem& s, long evaluations, const S
   const bool over =
       state_.governor.located(motion_.end().t, report.dt, evaluations, work,
                               steppedWork(s, 1.0, 4.0), switched, motion_.lastSwitched());
+  if (state_.pace.tooDear(report.dt, spent_, allowed_) && !turned())
+    state_.governor.giveUp(motion_.end().t, allowed_.end, motion_.lastSwitched());
   if (over && !turned()) work_.forget();
+}
+
+/// In evaluations of one velocity, as measured: an evaluation costs 5 besides, a decomposition of m rows costs m³/500, a gap 4, and more
+/// with a search.
+double GovernedMotion::workOf(const MechanicalSystem& s, long evaluations) const {
+  const FrozenPhase& phase = motion_.parts().motion.phase;
+  const ContactProbe::Looks& looks = motion_.parts().probe.looks;
+  const double n = static_cast<double>(s.slot(0).h.size()),
+               m = phase.held.empty() ? 0.0 : phase.rows().size();
+  return static_cast<double>(evaluations) * (kEach + n + m + m * m * m / kRowsCubed) +
+         kPerGap * static_cast<double>(looks.gaps) +
+         RunPatience::kSearch * static_cast<double>(looks.searched);
 }
 
 Eigen::VectorXd GovernedMotion::decidedAnew() const {
   const ErrorNorm& norm = motion_.parts().norm;
   GovernedState state;
-  state.governor.decideAnew();
+  state.governor.mode(SwitchGovernor::Mode::decideAnew);
   state.time = norm.time(), state.times = norm.times();
   NumberArchive numbers;
   numbers(state);

@@ -22,6 +22,10 @@ class GovernedMotion {
   /// after a step where turned(), the systems to be stepped in time are in state().stepped.
   Refusal locate(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
                  StepReport& report);
+  /// What the next step may cost; default: anything.
+  void allow(const WorkAllowance& allowed) { allowed_ = allowed; }
+  /// Work of the last step, in evaluations of one velocity.
+  double spent() const { return spent_; }
   /// True: the governor has turned to steps in time.
   bool turned() const { return state_.governor.mode() == SwitchGovernor::Mode::step; }
   /// Writes the state into x.
@@ -39,9 +43,12 @@ class GovernedMotion {
  private:
   void begin(const MechanicalSystem& s);
   void govern(const MechanicalSystem& s, long evaluations, const StepReport& report);
+  double workOf(const MechanicalSystem& s, long evaluations) const;
   LocatedMotion motion_;
   GovernedState state_;
   ChargedWork work_;
+  WorkAllowance allowed_;
+  double spent_ = 0.0;
   NumberArchive numbers_;
   Eigen::VectorXd stored_;  // x.scheme as written last: state_ is that of its state
   bool fresh_ = true;       // x.scheme is empty

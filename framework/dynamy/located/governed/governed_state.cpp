@@ -51,7 +51,7 @@ std::vector<int> viewOf(const Topology& whole, const std::vector<int>& systems) 
 }
 
 void GovernedState::archive(NumberArchive& a) {
-  a(next), a(governor), a(time), a(times);
+  a(next), a(governor), a(patience), a(pace), a(time), a(times);
   if (governor.mode() == Mode::locate) a(charged), a(held);
   if (governor.mode() == Mode::step) a(stepped);
 }

@@ -2,6 +2,7 @@
 /// are located or steps taken in time, and the state of what is done.
 #pragma once
 #include <algorithm>
+#include <dynamy/located/governed/run_patience.hpp>
 #include <dynamy/located/governed/switch_governor.hpp>
 #include <dynamy/located/step/held_state.hpp>
 #include <dynamy/stages/search_pauses.hpp>
@@ -44,6 +45,8 @@ struct GovernedState {
   using Mode = SwitchGovernor::Mode;
   double next = 0.0;  ///< length of the next step [s]
   SwitchGovernor governor;
+  RunPatience patience;     ///< of the run; of an island: not in use
+  WorkPace pace;            ///< of the island
   double time = 0.0;        ///< T of the scene [s]
   Eigen::VectorXd times;    ///< T of each system [s]
   Eigen::VectorXd charged;  ///< works charged to each system (ChargedWork)

@@ -6,6 +6,7 @@
 /// most logarithmic in time, however fast a part of the motion is.
 #pragma once
 #include <dynamy/core/number_archive.hpp>
+#include <dynamy/stages/search_pauses.hpp>
 
 namespace dynamy {
 
@@ -13,8 +14,11 @@ class StepPatience {
  public:
   /// [s]; T: time of the motion [s].
   double least(double tolerance, double T) const;
-  /// Notes that a step of length h [s] was taken, with work worth so many evaluations.
-  void spend(double h, double evaluations, double T);
+  /// Notes that a step of length h [s] was taken, with work worth so many evaluations. end: of the
+  /// run [s]; infinity: not known.
+  void spend(double h, double evaluations, double T, double end);
+  /// What solvers may spend on the next step, if they might spend `usual`.
+  Effort effort(Effort usual) const;
   void archive(NumberArchive& a) {
     a(longer_), a(spent_), a(covered_), a(all_), a(time_), a(bounded_);
   }

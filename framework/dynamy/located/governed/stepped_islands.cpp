@@ -5,7 +5,8 @@
 namespace dynamy {
 namespace {
 
-constexpr double kGrown = 0.1;  ///< of an allowed overlap: less growth counts as none
+constexpr double kSenseless = 0.1;  ///< part of the scales by which a step errs that may diverge
+constexpr double kGrown = 0.1;      ///< of an allowed overlap: less growth counts as none
 /// Of the change of velocities in a step: if more than this was not foreseen by the step before,
 /// the change is an impact.
 constexpr double kUnforeseen = 0.5;
@@ -35,7 +36,19 @@ SteppedIslands::Trial SteppedIslands::attempt(MechanicalSystem& s, InclusionSolv
   s.limits.effort = Effort::full;  // a search in vain lowers the effort for this step alone
   out.newton = 1 + out.report.solved.newton;
   out.error = error(s, norm, islands, stepped, from, x, h);
+  out.bursts = out.error * norm.tolerance() > kSenseless && bursts(s, from, x);
   return out;
+}
+
+bool SteppedIslands::bursts(MechanicalSystem& s, const State& a, const State& b) const {
+  double kinetic[2] = {0.0, 0.0}, potential[2] = {0.0, 0.0};
+  for (const int i : {1, 0}) {
+    const State& x = i == 0 ? a : b;
+    const Evaluation& e = s.evaluate(x, {.slot = 1});
+    kinetic[i] = e.mass.kineticEnergy(view(x.u)), potential[i] = s.potentialEnergy(e.kinematics, x);
+  }
+  const double gained = kinetic[1] - kinetic[0] + potential[1] - potential[0];
+  return !(gained <= kinetic[0]);
 }
 
 StepReport SteppedIslands::step(MechanicalSystem& s, InclusionSolver& solver, Effort effort,
@@ -65,10 +78,12 @@ double SteppedIslands::error(MechanicalSystem& s, const ErrorNorm& norm, const I
   const bool known = rate_.size() == a.u.size();
   for (std::size_t k = 0; known && k < stepped.size(); ++k) {
     const SystemHandle& part = s.parts().topology->system(static_cast<int>(k));
+    double own = 0.0;
     for (int i = part.u0; stepped[k] != 0 && i < part.u0 + part.nu; ++i)
-      worst = std::max(worst, norm.velocity(i, b.u[i] - a.u[i] - h * rate_[i], 0.0));
+      own = std::max(own, norm.velocity(i, b.u[i] - a.u[i] - h * rate_[i], 0.0));
+    // Velocities are measured in s_i/T of their island.
+    worst = std::max(worst, 0.5 * h / norm.times()[static_cast<Eigen::Index>(k)] * own);
   }
-  worst *= 0.5 * h / norm.time();
   reached_ = deepestOverlap(s.evaluate(b, {.slot = 1}).contacts, islands, stepped);
   const double allowed = norm.tolerance() * norm.length(), gained = reached_ - overlap_;
   worst = std::max(worst, (gained > kGrown * allowed ? reached_ : gained) / allowed);

@@ -20,6 +20,8 @@ class SteppedIslands {
     StepReport report;
     double error = 0.0;  ///< in units of the tolerance
     int newton = 0;      ///< solves by Newton's method, at least one
+    /// The step errs by a tenth of the scales and doubles the kinetic energy: it diverges.
+    bool bursts = false;
     bool good() const { return error <= 1.0 && report.solved.ok(); }
   };
   /// Begins a period of steps in time.
@@ -62,6 +64,7 @@ class SteppedIslands {
   void findHits(const MechanicalSystem& s, const State& a, const State& b, double h);
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, Effort effort, const State& from,
                   State& x, double h);
+  bool bursts(MechanicalSystem& s, const State& a, const State& b) const;
   double error(MechanicalSystem& s, const ErrorNorm& norm, const Islands& islands,
                const std::vector<char>& stepped, const State& a, const State& b, double h);
   EnergyMomentum midpoint_;

@@ -12,14 +12,15 @@ constexpr double kBearable = 0.5;    ///< of this: work of islands that continue
 constexpr double kFast = 100.0;      ///< the same factor for motion that is fast without switches
 /// Of T: time that a window has to cover; and the number of windows in turn that may cover less.
 constexpr double kLeastWindow = 1e-4, kMostCreeping = 8;
-constexpr double kMost = 0.1;        ///< of T: longest step in time
-constexpr double kFirstStay = 0.05;  ///< of T: first duration of stepping in time
+constexpr double kMost = 0.1;          ///< of T: longest step in time
+constexpr double kFirstStay = 0.05;    ///< of T: first duration of stepping in time
+constexpr double kPatientStay = 0.02;  ///< of the run, where it has no patience left
 constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 
 }  // namespace
 
 void SwitchGovernor::archive(NumberArchive& a) {
-  a.choice(mode_, 3), a.choice(turnedBy_, 3), a(turnedAt_);
+  a.choice(mode_, 3), a.choice(turnedBy_, 4), a(turnedAt_);
   a(h_), a(began_), a(stay_), a(window_), a(windowWork_), a(windowEvaluations_);
   a(windowStepWork_), a(switchWork_), a(creeping_), a(oneSwitch_), a(switches_), a(stepWork_),
       a(patience_);
@@ -41,6 +42,12 @@ bool SwitchGovernor::located(double t, double dt, long evaluations, double work,
   return true;
 }
 
+void SwitchGovernor::giveUp(double t, double end, ContactKey at) {
+  turn(t, TurnedBy::patience, at);
+  stay_ = std::max(stay_, kPatientStay * end);
+  tooFast_ = true, bearable_ = 0.0;
+}
+
 void SwitchGovernor::turn(double t, TurnedBy why, ContactKey at) {
   const bool soon = stay_ > 0.0 && t - began_ < stay_;
   stay_ = soon ? 2.0 * stay_ : kFirstStay * T_;
@@ -60,8 +67,8 @@ void SwitchGovernor::shorten(double h, double error) {
 }
 
 void SwitchGovernor::stepped(double t, double h, double error, double work, bool again,
-                             double evaluations) {
-  patience_.spend(h, evaluations, T_);
+                             double evaluations, double end) {
+  patience_.spend(h, evaluations, T_, end);
   const double next = h * std::clamp(factor(error), kGovernorShrink, kGrow);
   // The next step does not become shorter because an outer bound shortened this one.
   h_ = std::clamp(h < h_ ? std::max(h_, next) : next, least(), std::max(kMost * T_, least()));

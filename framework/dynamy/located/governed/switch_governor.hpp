@@ -40,6 +40,8 @@ class SwitchGovernor {
   /// the contact that switched last. True: a window is over.
   bool located(double t, double dt, long evaluations, double work, double stepWork, bool switched,
                ContactKey at);
+  /// Turns to steps in time from t on because the run, which ends at `end`, has no patience left.
+  void giveUp(double t, double end, ContactKey at);
   /// Right after a turn by density: work in a window that located islands may still cost. It counts
   /// all steps if the motion was too fast even without switches, else those with a switch.
   double bearable() const { return bearable_; }
@@ -48,21 +50,20 @@ class SwitchGovernor {
   void turn(double t, TurnedBy why, ContactKey at);
   /// Right after a turn: the work of a switch, were it located.
   void switchCosts(double work) { oneSwitch_ = work; }
-  /// Leaves the time to clocks of islands: nothing is stepped in time yet.
-  void leave() { mode_ = Mode::step; }
-  /// Returns to locating switches.
-  void locate() { mode_ = Mode::locate; }
-  /// Everything is to be decided anew at the next step.
-  void decideAnew() { mode_ = Mode::decideAnew; }
+  /// Locates switches, decides everything anew at the next step, or leaves the time to clocks of
+  /// islands: nothing is stepped in time yet.
+  void mode(Mode mode) { mode_ = mode; }
 
   // While steps are taken in time.
   double h() const { return h_; }
+  Effort effort(Effort usual) const { return patience_.effort(usual); }
   double least() const { return patience_.least(tolerance_, T_); }
   /// Notes that a step of length h was too long; `error`: its error in units of the tolerance.
   void shorten(double h, double error);
   /// Notes that a step of length h was taken; `again`: after having been shortened; `evaluations`:
-  /// as many as its work is worth.
-  void stepped(double t, double h, double error, double work, bool again, double evaluations);
+  /// as many as its work is worth; `end`: of the run [s].
+  void stepped(double t, double h, double error, double work, bool again, double evaluations,
+               double end);
 
  private:
   double factor(double error) const;

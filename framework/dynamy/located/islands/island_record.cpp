@@ -13,13 +13,16 @@ void eachWork(F&& f) {
 
 }  // namespace
 
-void IslandRecord::begin() {
+void IslandRecord::begin(RunPatience* patience) {
+  patience_ = patience;
   if (!reported_) return;
   reported_ = endedByMotion_ = false;
   counts_ = {}, works_ = {}, solved_ = {}, impacts_.clear();
 }
 
-void IslandRecord::effort(const StepEffort& e) {
+void IslandRecord::effort(IslandClock& c) {
+  const StepEffort& e = c.now().report.counts.effort;
+  if (patience_ != nullptr) patience_->spend(c.motion().spent());
   StepEffort& sum = counts_.effort;
   sum.smooth += e.smooth, sum.rejected += e.rejected;
   sum.switches += e.switches, sum.events += e.events;

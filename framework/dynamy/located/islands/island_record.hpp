@@ -8,9 +8,9 @@ namespace dynamy {
 class IslandRecord {
  public:
   /// A step of the run begins, unless it has begun.
-  void begin();
-  /// Adds the effort of a step that a clock tried.
-  void effort(const StepEffort& e);
+  void begin(RunPatience* patience = nullptr);
+  /// Adds the effort of a step that a clock tried, and spends its work.
+  void effort(IslandClock& c);
   /// Adds the step of a clock, which has ended.
   void end(IslandClock& c);
   /// Books the works of the smooth part of a clock's step up to t.
@@ -23,6 +23,7 @@ class IslandRecord {
   const SolveReport& solved() const { return solved_; }
 
  private:
+  RunPatience* patience_ = nullptr;  // of the run; borrowed until the step of the run ends
   bool reported_ = true;
   StepCounts counts_;
   StepWorks works_;

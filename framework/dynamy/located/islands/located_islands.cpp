@@ -139,8 +139,9 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
 }
 
 Refusal LocatedIslands::follow(MechanicalSystem& s, InclusionSolver& solver, const State& x,
-                               double end, SteppedState& stepped) {
-  record_.begin();
+                               double end, SteppedState& stepped, RunPatience& patience) {
+  record_.begin(&patience);
+  patience_ = &patience;
   for (;;) {
     std::size_t next = clocks_.size();
     for (std::size_t i = 0; i < clocks_.size(); ++i)
@@ -160,8 +161,13 @@ Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, do
   if (fallApart(s, clock)) return {};
   IslandClock& c = *clocks_[clock];
   record_.end(c);
+  c.motion().allow(patience_->allowance(settings_.patience,
+                                        static_cast<double>(s.parts().topology->nu()), c.now().to.t,
+                                        s.limits.end));
   Refusal refusal = c.step(s, solver, end);
-  record_.effort(c.now().report.counts.effort);
+  // Taken again, a step does not turn for its work: that it was taken has been decided.
+  c.motion().allow({});
+  record_.effort(c);
   if (!c.now().turned) {
     if (refusal || clocks_.size() == 1) return refusal;  // one alone meets none
     c.findPath(s, division_.shapes());
@@ -208,7 +214,7 @@ Refusal LocatedIslands::meet(MechanicalSystem& s, InclusionSolver& solver, std::
   if (with == clock || first >= c.now().to.t) return {};
   if (first <= t + kWorth * (c.now().to.t - t)) return merge(s, solver, clock, with);
   Refusal refusal = c.again(s, solver, first);
-  record_.effort(c.now().report.counts.effort);
+  record_.effort(c);
   if (refusal || c.now().turned) return merge(s, solver, clock, with);
   c.findPath(s, division_.shapes());
   return {};
@@ -227,11 +233,11 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
   with.statuses = B.now().before;
   if (t - B.now().from.t > kTooShort * (B.now().to.t - B.now().from.t)) {
     Refusal refusal = B.again(s, solver, t);
-    record_.effort(B.now().report.counts.effort);
+    record_.effort(B);
     while (!refusal && !B.now().turned && B.now().to.t < t) {
       record_.end(B);
       refusal = B.step(s, solver, t);
-      record_.effort(B.now().report.counts.effort);
+      record_.effort(B);
     }
     if (!refusal && !B.now().turned) {
       record_.end(B);

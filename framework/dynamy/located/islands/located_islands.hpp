@@ -27,7 +27,7 @@ class LocatedIslands {
   /// Takes steps until all islands are known beyond x.t; none goes beyond `end`. Systems that have
   /// to be stepped in time from x on are noted in `stepped`.
   Refusal follow(MechanicalSystem& s, InclusionSolver& solver, const State& x, double end,
-                 SteppedState& stepped);
+                 SteppedState& stepped, RunPatience& patience);
   /// The governor of the island that was last added to those stepped in time.
   const SwitchGovernor& turnedBy() const { return turned_; }
 
@@ -71,8 +71,9 @@ class LocatedIslands {
   IslandClocks clocks_;
   std::vector<ClockState> kept_;
   SwitchGovernor turned_;
-  State at_;    // of all systems, at the time that place() was given
-  State ends_;  // of the systems of a clock
+  RunPatience* patience_ = nullptr;  // of the run, while follow() is called
+  State at_;                         // of all systems, at the time that place() was given
+  State ends_;                       // of the systems of a clock
   std::vector<char> apart_;
   Eigen::VectorXd decidedAnew_;
 };

@@ -56,6 +56,7 @@ Refusal LocatedMotion::enter(LocatedStep& step, const State& x, const Start& sta
     const bool light = &table == &dormandPrince8() && !parts_.settings.givenSteps;
     parts_.motion.prepare(s, table, light ? &dormandPrince5() : nullptr);
     parts_.probe.prepare(s, x);
+    parts_.probe.looks = {};  // a resumed run prepares once more
     coming_.prepare(s.parts());
     parts_.event.prepare(parts_.norm);
     parts_.event.plain(!parts_.settings.events.looksAhead);
@@ -124,6 +125,7 @@ Refusal LocatedMotion::restore(LocatedStep& step, const State& x, const HeldStat
   motion.step.implicitStep().keep(s, motion.phase, x, held.jacobian);
   Refusal refusal = step.evaluate(from_);
   parts_.repeated = s.evaluations() - before;
+  parts_.probe.looks = {};
   return refusal;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <dynamy/located/phase/butcher_tableau.hpp>
 #include <dynamy/stages/one_step.hpp>
+#include <limits>
 
 namespace dynamy {
 
@@ -32,6 +33,7 @@ struct LocatedSettings {
   /// Steps have the lengths that the caller gives, whatever their errors are (theory 53): as a
   /// function of the state at its start, such a step is smooth.
   bool givenSteps = false;
+  double patience = std::numeric_limits<double>::infinity();  ///< factor on RunPatience
   bool oneClock = true;  ///< all islands end their steps together
   /// The method of smooth phases at this accuracy.
   const ButcherTableau& table() const;

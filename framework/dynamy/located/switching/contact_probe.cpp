@@ -23,6 +23,7 @@ void ContactProbe::evaluate(const State& x, const ContactRequest& request) {
   ContactSink sink(gaps_.contacts, request, parts_->subset);
   reportContacts(*parts_, kinematics_, sink);
   ++looks.whole, looks.gaps += static_cast<long>(gaps_.contacts.candidateKey.size());
+  looks.searched += gaps_.contacts.features.searched;
 }
 
 void ContactProbe::prepare(const MechanicalSystem& s, const State& x) {
@@ -121,6 +122,7 @@ bool ContactProbe::lookAt(const QuinticPath& path, double theta, State& x, int i
                          view(std::as_const(x.memory)), parts_->subset);
     one_.report(*parts_, kinematics_, request);
   }
+  looks.searched += one_.searched();
   return one_.giveTo(gaps_, i, x.u);
 }
 

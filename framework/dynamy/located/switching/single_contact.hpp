@@ -19,6 +19,9 @@ class SingleContact {
   /// was asked for is not reported, or has other rows.
   bool giveTo(ContactGaps& gaps, int i, const Eigen::VectorXd& u);
 
+  /// Pairs that the last look has searched.
+  long searched() const { return found_.contacts.features.searched; }
+
  private:
   const SystemParts* parts_ = nullptr;
   Kinematics kinematics_;  // of these frames

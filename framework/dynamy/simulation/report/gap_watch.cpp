@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/gap_watch.hpp>
 
@@ -11,6 +12,9 @@ namespace {
 /// the depth is extrapolated by γ^E alone, with an error of (ω Δt/2)²/2 of a body's size.
 constexpr double kDeeper = 1.01;
 constexpr long kFirstLooks = 8, kStepsPerLook = 128;
+/// Rows of a run that does not say how many, and those of a step that are looked at.
+constexpr double kRowsOfRun = 1000;
+constexpr int kMostRowsSeen = 50;
 constexpr double kOverlapNoise = 1e-12;  ///< of the scene's length
 
 }  // namespace
@@ -23,7 +27,23 @@ void GapWatch::start(const StepView& initial) {
   report_.gaps.atStart = report_.gaps.penetration;
 }
 
+void GapWatch::rows(const StepView& view) {
+  const double every =
+      model_.record.every > 0.0 ? model_.record.every : model_.simulation.until / kRowsOfRun;
+  const double from = view.before.t, to = view.after.t;
+  if (!(every > 0.0)) return;
+  int rows = 0;
+  for (double k = std::floor(from / every) + 1.0; k * every < to && rows < kMostRowsSeen;
+       ++k, ++rows) {
+    const double theta = (k * every - from) / (to - from);
+    view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
+    at_.memory = view.before.memory;
+    overlaps(at_);
+  }
+}
+
 void GapWatch::step(const StepView& view) {
+  if (view.report.counts.stepped) rows(view);
   // Bodies that pass others unseen, and those that damped forces move away from the path that the
   // step looked at, end in overlaps that the step itself has not evaluated.
   if (report_.passing.left > 0 || report_.trust.damped > 0) return overlaps(view.after);

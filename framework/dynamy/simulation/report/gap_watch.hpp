@@ -4,6 +4,8 @@
 ///               steps, which are recorded: γ^E extrapolates from the former to the latter. If the
 ///               extrapolated depth exceeds all before, gaps are evaluated there, as long as that
 ///               costs little
+///   rows        within steps in time of a scheme that locates switches, gaps are evaluated where
+///               rows are recorded: such a step may be long, and bodies between its ends overlap
 ///   joints      position errors, evaluated at sampled ends of steps: schemes hold joints there,
 ///               not where they evaluate them
 #pragma once
@@ -27,6 +29,7 @@ class GapWatch {
   void archive(Archive& a) { a(looks_), a(joints_); }
 
  private:
+  void rows(const StepView& view);
   void overlaps(const State& x);
   void positions(const State& x);
   MechanicalSystem& ends();
@@ -35,6 +38,7 @@ class GapWatch {
   /// System evaluated at the ends of steps, where schemes hold positions; created at its first use.
   std::unique_ptr<MechanicalSystem> ends_;
   ContactLook look_;     // at the ends of steps
+  State at_;             // within a step
   long looks_ = 0;       // evaluations of gaps at ends of steps
   bool joints_ = false;  // something is held by joints
 };

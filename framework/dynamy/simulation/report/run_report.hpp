@@ -105,13 +105,14 @@ struct SteppingReport {
   long periods = 0, steps = 0;
   int systems = 0;       ///< most systems stepped at once; switches of the others were located
   long stalls = 0;       ///< periods that began because no step was short enough
+  long impatient = 0;    ///< periods that began because the work of the run was used up
   double time = 0.0;     ///< all periods together [s]
   double longest = 0.0;  ///< step [s]
   double error = 0.0;    ///< largest estimated error of a step, in units of the tolerance
   double total = 0.0;    ///< sum of these errors
   Worst first;           ///< when the first period began and the contact that switched there
   void archive(Archive& a) {
-    a(periods), a(steps), a(systems), a(stalls), a(time), a(longest), a(error), a(total), a(first);
+    a(periods), a(steps), a(systems), a(stalls), a(impatient), a(time), a(longest), a(error), a(total), a(first);
   }
 };
 

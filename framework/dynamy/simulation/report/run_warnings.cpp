@@ -143,18 +143,26 @@ void aboutSimpler(const RunReport& r, Warnings& out) {
                  r.simpler.steps, r.simpler.firstEnd, ""});
 }
 
+std::string whySteppedInTime(const SteppingReport& s) {
+  const std::string at = s.first.name.empty() ? "" : " at " + s.first.name;
+  std::string dense = fmt::format(
+      "switches{} came too fast to be located, or no gap follows what touches there", at);
+  if (s.impatient == 0) return dense;
+  return (s.impatient < s.periods ? dense + ", and " : std::string()) +
+         "the work of the run was used up (<LocatedDormandPrince patience=\"10\"/> grants more)";
+}
+
 void aboutStepping(const RunReport& r, Warnings& out) {
   const SteppingReport& s = r.stepping;
   if (s.periods == 0) return;
-  const std::string at = s.first.name.empty() ? "" : " at " + s.first.name;
+  const std::string cause = whySteppedInTime(s);
   if (s.total <= kSteppedErrors) {
     out.push_back(
         {"stepped",
-         fmt::format("switches{} came too fast to be located, or no gap follows what "
-                     "touches there (t = {:.6g} s): {:.4g} s in {} period{} were stepped "
+         fmt::format("{} (t = {:.6g} s): {:.4g} s in {} period{} were stepped "
                      "in time for {} system{}; the errors of these steps add up to {:.2g} "
                      "times the tolerance",
-                     at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
+                     cause, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
                      s.systems == 1 ? "" : "s", s.total),
          s.periods, s.first.t, s.first.name});
     return;
@@ -162,12 +170,11 @@ void aboutStepping(const RunReport& r, Warnings& out) {
   out.push_back(
       {"time stepping",
        fmt::format(
-           "switches{} came too fast to be located, or no gap follows what touches there "
-           "(t = {:.6g} s): {:.4g} s in {} period{} were stepped in time for {} system{} "
+           "{} (t = {:.6g} s): {:.4g} s in {} period{} were stepped in time for {} system{} "
            "with steps up to {:.2g} s, whose errors reach {:.2g} times the tolerance each and "
            "add up to {:.2g} times; it is not promised for them, nor for what they touch, "
            "from there on",
-           at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
+           cause, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
            s.systems == 1 ? "" : "s", s.longest, s.error, s.total),
        s.periods, s.first.t, s.first.name});
 }

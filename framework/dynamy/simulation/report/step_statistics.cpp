@@ -50,6 +50,7 @@ void StepStatistics::stepped(const StepView& v) {
   if (counts.turnedBy != TurnedBy::none) {
     if (++r.periods == 1) r.first.t = v.before.t, r.first.contact = counts.turnedAt;
     r.stalls += counts.turnedBy == TurnedBy::stall ? 1 : 0;
+    r.impatient += counts.turnedBy == TurnedBy::patience ? 1 : 0;
   }
   ++r.steps, r.time += v.report.dt;
   r.systems = std::max(r.systems, counts.steppedSystems);

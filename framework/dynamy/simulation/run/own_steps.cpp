@@ -2,6 +2,17 @@
 #include <dynamy/simulation/run/own_steps.hpp>
 
 namespace dynamy {
+namespace {
+
+/// Work of tries that went beyond a contact which a fast body would pass, in evaluations of one
+/// velocity: of small models, of each velocity of large ones; the part of it that may be spent at
+/// any time.
+constexpr double kPartsWork = 4e6, kPartsOfEach = 2e4, kAtOnce = 0.5;
+/// Where it is used up, one of so many steps looks what it passes, to tell of it.
+constexpr long kSeldom = 16;
+
+}  // namespace
+
 Advance OwnSteps::next(Stepper& stepper, double until) {
   const double rest = until - stepper.t(), next = stepper.nextStep();
   const bool over = isPassed(until, stepper.t());
@@ -15,18 +26,32 @@ Advance OwnSteps::next(Stepper& stepper, double until) {
   return advance(stepper, until) && stepper.pause(false) ? Advance::taken : Advance::stopped;
 }
 
+bool OwnSteps::mayEndAtContact(double t, double until) const {
+  const double share = until > 0.0 ? std::clamp(t / until, 0.0, 1.0) : 1.0;
+  return parted_ < (kAtOnce + share) * std::max(kPartsWork, kPartsOfEach * nu_);
+}
+
+Passing OwnSteps::passed(Stepper& stepper, double until) {
+  if (!mayEndAtContact(stepper.t(), until) && ++unseen_ % kSeldom != 0) return {};
+  const double before = stepper.spent().work;
+  const Passing p = stepper.passing();
+  parted_ += stepper.spent().work - before;
+  return p;
+}
+
 bool OwnSteps::advance(Stepper& stepper, double until) {
   double end = until;
   if (const double at = samples_.after(stepper.t()); SampleInstants::isWithin(at, until)) end = at;
   double most = end - stepper.t();
   if (largest_ > 0.0) most = std::min(most, largest_);
   for (int i = 0;; ++i) {
-    const long before = stepper.spent().evaluations;
+    const Spent before = stepper.spent();
     const StepReport report = stepper.attempt(stepper.t() + most, most, false);
-    const int tries = mostParts(nu_, stepper.spent().evaluations - before);
+    const int tries = mostParts(nu_, stepper.spent().evaluations - before.evaluations);
     const bool sound = stepper.sound();
-    if (const Passing p = sound ? stepper.passing() : Passing{}) {
-      if (i < tries) {
+    if (const Passing p = sound ? passed(stepper, until) : Passing{}) {
+      if (i < tries && mayEndAtContact(stepper.t(), until)) {
+        parted_ += stepper.spent().work - before.work;
         stepper.reject();
         // Next try: up to the contact or, if the body is there already, across it in a very short
         // step.

@@ -13,15 +13,22 @@ class OwnSteps final : public TimeLoop {
   OwnSteps(double largest, NonConvergence policy, int nu, SampleInstants samples = {})
       : largest_(largest), policy_(policy), nu_(nu), samples_(std::move(samples)) {}
   Advance next(Stepper& stepper, double until) override;
-  void archive(Archive&) override {}
+  void archive(Archive& a) override { a(parted_), a(unseen_); }
 
  private:
   bool advance(Stepper& stepper, double until);
+  /// The first contact that a fast body has passed in the step that was tried.
+  Passing passed(Stepper& stepper, double until);
+  /// May a further step end at a contact that a fast body would pass? Bodies that spin fast may hit so
+  /// often that the run would not end.
+  bool mayEndAtContact(double t, double until) const;
   double largest_;
   NonConvergence policy_;
   int nu_;
   SampleInstants samples_;
-  bool kept_ = false;  // the state from which a longer run continues is stored
+  double parted_ = 0.0;  // work of looks for such contacts and of tries that went beyond them
+  long unseen_ = 0;      // steps since the last look, once that work is used up
+  bool kept_ = false;    // the state from which a longer run continues is stored
 };
 
 }  // namespace dynamy

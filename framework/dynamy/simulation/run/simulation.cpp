@@ -137,6 +137,7 @@ void Simulation::guarded(Call&& call) {
 bool Simulation::next() {
   if (!start()) return false;
   over_ = true;  // an exception ends the run
+  system_.limits.end = model_.simulation.until;
   const bool good = report_.ended == RunReport::Ended::finished;
   if (good && loop_->next(*this, model_.simulation.until) == Advance::taken) {
     over_ = false;

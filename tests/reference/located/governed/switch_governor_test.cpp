@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <dynamy/located/governed/switch_governor.hpp>
+#include <limits>
 #include <reference/located/bounce.hpp>
 #include <reference/located/located_run.hpp>
 #include <string>
@@ -10,6 +11,8 @@
 
 namespace dynamy::reference {
 namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 /// Height at which ball i is let go [m].
 double start(int i) { return 0.5 + 0.01 * i; }
@@ -119,9 +122,9 @@ TEST(SwitchGovernor, ScenesWithRareSwitchesNeverStepInTime) {
 
 TEST(SwitchGovernor, StepsInTimeEndHoweverFastAPartOfTheMotionIs) {
   // A run of 1 s whose T is 1e-7 s, and whose steps miss the tolerance by far at any length. After
-  // 5e4 evaluations, here k₀ = 16 700 steps of 1e-10 s or so (500 of them cover T), step k is
-  // 5e-4 k/k₀ of the time covered, whose logarithm grows by 5e-4 (k² − k₀²)/2k₀, 14 from 1 µs to 1 s:
-  // k = 35 000. At 1e-9 s they would be 10⁹.
+  // 3e4 evaluations, here k₀ = 10 000 steps of 1e-10 s or so (500 of them cover T), step k is
+  // 5e-4 (k/k₀)² of the time covered, up to 2e-3, whose logarithm grows by 5e-4 k₀ 7/3 = 11.7 until
+  // that, and by 14 from 1 µs to 1 s: k = 21 200. At 1e-9 s they would be 10⁹.
   constexpr double kT = 1e-7, kMissed = 1e6;
   SwitchGovernor governor;
   governor.scales(1e-6, kT);
@@ -131,11 +134,79 @@ TEST(SwitchGovernor, StepsInTimeEndHoweverFastAPartOfTheMotionIs) {
   for (; t < 1.0 && steps < 100000; ++steps) {
     const double h = governor.h();
     t += h;
-    governor.stepped(t, h, kMissed, 1.0, false, 3);
-    EXPECT_LE(h, t < 100.0 * kT ? 0.1 * kT : 5e-4 * steps / 16666.0 * t);
+    governor.stepped(t, h, kMissed, 1.0, false, 3, kEndless);
+    EXPECT_LE(h, t < 100.0 * kT ? 0.1 * kT : 2e-3 * t);
   }
   EXPECT_GE(t, 1.0);
-  EXPECT_LT(steps, 36000);
+  EXPECT_LT(steps, 21500);
+}
+
+TEST(SwitchGovernor, StepsInTimeAreFewWhereTheEndIsKnown) {
+  // The same motion in a run of 1 s: beyond 3e4 evaluations a step is 5e-4 (k/k₀)² s or more, up to
+  // 2e-3 s: Σ = 1 s needs fewer than 2000 of them.
+  SwitchGovernor governor;
+  governor.scales(1e-6, 1e-7);
+  governor.turn(0.0, TurnedBy::stall, SwitchGovernor::kNowhere);
+  double t = 0.0;
+  int steps = 0;
+  for (; t < 1.0 && steps < 100000; ++steps) {
+    const double h = governor.h();
+    t += h;
+    governor.stepped(t, h, 1e6, 1.0, false, 3, 1.0);
+  }
+  EXPECT_LT(steps, 12000);
+}
+
+TEST(RunPatience, GrantsWorkAlongTheTimeOfARun) {
+  // Of 2e7 half at any time, the rest in proportion to time; 1e5 of each velocity in large models.
+  RunPatience patience;
+  patience.spend(1.5e7);
+  EXPECT_TRUE(patience.allowance(1.0, 10.0, 0.4, 1.0).over);
+  EXPECT_FALSE(patience.allowance(1.0, 10.0, 0.6, 1.0).over);
+  EXPECT_FALSE(patience.allowance(2.0, 10.0, 0.0, 1.0).over);
+  EXPECT_FALSE(patience.allowance(1.0, 400.0, 0.0, 1.0).over);
+  // A run whose end nobody knows has no bound, and patience may be endless.
+  EXPECT_FALSE(patience.allowance(1.0, 10.0, 0.4, kEndless).over);
+  EXPECT_FALSE(patience.allowance(kEndless, 10.0, 0.4, 1.0).over);
+}
+
+TEST(RunPatience, TurnsIslandsThatSpendMoreThanTheirShare) {
+  // Over the allowance of 2e7 in 1 s, an island that would spend 4e6 in 1 s goes on, one of 6e6 turns:
+  // a quarter is its share.
+  for (const double rate : {4e6, 6e6}) {
+    WorkPace pace;
+    bool dear = false;
+    for (int i = 0; i < 100; ++i)
+      dear = dear || pace.tooDear(1e-3, 1e-3 * rate, {.over = true, .rate = 2e7, .end = 1.0});
+    EXPECT_EQ(dear, rate > 5e6) << rate;
+  }
+  SwitchGovernor governor;
+  governor.scales(1e-6, 0.1);
+  governor.giveUp(0.5, 1.0, SwitchGovernor::kNowhere);
+  EXPECT_EQ(governor.mode(), SwitchGovernor::Mode::step);
+  EXPECT_EQ(governor.turnedBy(), TurnedBy::patience);
+}
+
+/// Six pendulums whose bobs springs of 1e9 N/m pull to and fro.
+std::string stiffPendulums() {
+  return R"(<dynamy version="1"><systems><Ground name="world"/><replicate count="6">
+    <PointMass name="bob" plane="xz" position="{i} 0 -1.01" velocity="1 0 0" mass="0.1"/></replicate></systems>
+    <forces><Gravity/><replicate count="6"><SpringDamper between="world bob" pointA="{i} 0 0"
+      stiffness="1e9" length="1"/></replicate></forces>
+    <simulation until="20" tolerance="1e-6"/></dynamy>)";
+}
+
+TEST(RunPatience, EndsARunThatWouldGoOnForLong) {
+  // ω = 1e5 1/s for 20 s: two million radians of six springs at some 1000 evaluations each. The work
+  // granted is 2e7 evaluations of a velocity, of which an evaluation of a bob costs seven, and what
+  // steps in time need.
+  LocatedRun run(stiffPendulums(), 1e-6, 20.0);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  EXPECT_GT(run.report().stepping.impatient, 0);
+  EXPECT_LT(7.0 * static_cast<double>(run.report().cost.evaluations), 4e7);
+  ASSERT_FALSE(run.report().warnings.empty());
+  EXPECT_NE(run.report().warnings.back().text.find("patience"), std::string::npos)
+      << run.report().warnings.back().text;
 }
 
 TEST(SwitchGovernor, TurnsWhereWindowsCoverHardlyAnyTime) {
@@ -169,7 +240,7 @@ TEST(SwitchGovernor, KeepsWhatASwitchCostsWithItsState) {
     after.scales(1e-3, 1.0);
     for (double t = 0.0; t < 0.5;) {
       t += after.h();
-      after.stepped(t, after.h(), 4.0, 1.0, false, 3);
+      after.stepped(t, after.h(), 4.0, 1.0, false, 3, kEndless);
     }
     EXPECT_EQ(after.mode() == SwitchGovernor::Mode::step, cost > 1.0) << cost;
   }

@@ -31,7 +31,7 @@ constexpr ContactKey kOfA{7}, kOfC{9};
 struct Divided {
   Divided() {
     GovernedState state;
-    state.governor.locate();
+    state.governor.mode(SwitchGovernor::Mode::locate);
     state.time = 0.5, state.next = state.held.pace.next = 0.1;
     state.times = Eigen::Vector4d(1.0, 2.0, 3.0, 4.0);
     state.charged = VectorXd::LinSpaced(8, 10.0, 17.0);
@@ -110,7 +110,7 @@ TEST(DividedState, IsDecidedAnewWhereOnePartIs) {
   const Divided d;
   ClockState other = d.part({3}, kOfC);
   GovernedState anew = stateOf(other);
-  anew.governor.decideAnew();
+  anew.governor.mode(SwitchGovernor::Mode::decideAnew);
   NumberArchive numbers;
   numbers(anew);
   numbers.copyTo(other.scheme);

@@ -1,0 +1,46 @@
+/// RunPatience: what a run to a tolerance may spend on locating before what is most expensive is
+/// stepped in time (theory 50.7).
+///
+///   B = p max(B₀, b n),   up to time t of t_E:  B (1/4 + 3/4 t/t_E)
+///
+/// in evaluations of one velocity, with n velocities and the attribute p, `patience`. Work is counted
+/// and not timed, so that a run repeats bit for bit. A run without an end, stepped by hand, has no
+/// such bound.
+#pragma once
+#include <dynamy/core/number_archive.hpp>
+#include <limits>
+
+namespace dynamy {
+
+/// What is left of it for one step of an island.
+struct WorkAllowance {
+  bool over = false;  ///< the run has spent more than it may up to now
+  double rate = std::numeric_limits<double>::infinity();  ///< of all its time [1/s]
+  double end = std::numeric_limits<double>::infinity();   ///< of the run [s]
+};
+
+class RunPatience {
+ public:
+  static constexpr double kSearch = 35.0;  ///< work of a gap that takes a search
+  /// end: of the run [s]; velocities: of the whole model.
+  WorkAllowance allowance(double patience, double velocities, double t, double end) const;
+  void spend(double work) { spent_ += work; }
+  void archive(NumberArchive& a) { a(spent_); }
+
+ private:
+  double spent_ = 0.0;  // evaluations of one velocity, since the run began
+};
+
+/// Whether one island is among those that spend too much.
+class WorkPace {
+ public:
+  /// Notes a step of length h [s] and its work. True: over a while the island has spent more than its
+  /// share of what the run may.
+  bool tooDear(double h, double work, const WorkAllowance& allowed);
+  void archive(NumberArchive& a) { a(time_), a(work_); }
+
+ private:
+  double time_ = 0.0, work_ = 0.0;  // since the last check
+};
+
+}  // namespace dynamy
