@@ -125,5 +125,28 @@ TEST(LocatedImpacts, SearchBrieflyAfterALongSearchInVain) {
         << i;
 }
 
+TEST(LocatedImpacts, FindsADipThatBeginsWhereTheGapIsZero) {
+  // A light ball between the floor and a heavy one that falls beside its top: ever faster impacts, until
+  // both gaps are zero to rounding. The heavy ball then glides past: the gap falls below zero at
+  // once, and is above it again at the next sample. 0.3 s at 1 ms: no picture shows an overlap of more
+  // than the height of a slip that the tolerance passes, 1e-6 of 6 m.
+  LocatedRun run(R"(<dynamy version="1"><systems>
+    <RigidBody name="light" position="-0.1985 0.136582 2.82314" mass="0.0325188" inertia="0.0126 0.0126 0.0126"
+      angularVelocity="-3.2227 -5.11335 -6.91395"><Sphere radius="0.985375" material="a"/></RigidBody>
+    <RigidBody name="heavy" position="-0.174351 -0.0861254 8.46942" mass="0.540301" inertia="0.37 0.37 0.37"
+      angularVelocity="-1.46195 1.72858 -2.51949"><Sphere radius="1.30911" material="a"/></RigidBody>
+    <Ground><HalfSpace material="c"/></Ground></systems><forces><Gravity/></forces>
+    <elements><Contact between="a a"><UnilateralCoulomb mu="1.48518" epsilonN="0.557124"/></Contact>
+    <Contact between="a c"><UnilateralCoulomb mu="1.48518" epsilonN="0.557124"/></Contact></elements>
+    <simulation until="1.3" tolerance="1e-6"/></dynamy>)",
+                 1e-6, 1.3);
+  run.record(1.3, 1000.0);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  double least = 1.0;
+  for (const LocatedRun::Picture& p : run.film)
+    least = std::min(least, (p.poses[0].r_OS_I - p.poses[1].r_OS_I).norm() - 0.985375 - 1.30911);
+  EXPECT_GT(least, -6e-6);
+}
+
 }  // namespace
 }  // namespace dynamy::reference

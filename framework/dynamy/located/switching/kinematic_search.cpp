@@ -177,6 +177,19 @@ bool KinematicSearch::findOf(ContactProbe& probe, const QuinticPath& path, int m
   return atEnd(probe, path, monitor, first);
 }
 
+bool KinematicSearch::fromZero(ContactProbe& probe, const QuinticPath& path, int monitor,
+                               Bracket& at, bool& positive) {
+  positive = false;
+  for (int i = 0; i < kStartHalvings && !positive; ++i) {
+    double v = 0.0;
+    if (!valueAt(probe, path, monitor, 0.5 * at.b, v)) return false;
+    positive = v > 0.0;
+    (positive ? at.a : at.b) = 0.5 * at.b;
+    (positive ? at.fa : at.fb) = v;
+  }
+  return true;
+}
+
 bool KinematicSearch::fall(ContactProbe& probe, const QuinticPath& path, int monitor, int j,
                            Switch& first, bool& there) {
   const KinematicMonitor& k = monitors[monitor];
@@ -184,20 +197,15 @@ bool KinematicSearch::fall(ContactProbe& probe, const QuinticPath& path, int mon
   if (a >= first.theta) return true;
   double fb = values_(monitor, j), fa = values_(monitor, j - 1);
   if (j == 1 && k.zeroStart) {
-    for (int i = 0;; ++i) {
-      if (i == kStartHalvings) {
-        if (!presentAt(probe, path, monitor, 0.0, there)) return false;
-        if (there) first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
-        return true;
-      }
-      double v = 0.0;
-      if (!valueAt(probe, path, monitor, 0.5 * b, v)) return false;
-      if (v > 0.0) {
-        a = 0.5 * b, fa = v;
-        break;
-      }
-      b *= 0.5, fb = v;
+    Bracket at{a, fa, b, fb};
+    bool positive = false;
+    if (!fromZero(probe, path, monitor, at, positive)) return false;
+    if (!positive) {
+      if (!presentAt(probe, path, monitor, 0.0, there)) return false;
+      if (there) first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
+      return true;
     }
+    a = at.a, fa = at.fa, b = at.b, fb = at.fb;
   }
   if (first.theta < b && fa > 0.0 && !(j == 1 && k.zeroStart)) {
     // Of monitors that all fall, e.g. gaps of bodies above a floor, most are still positive there.
@@ -237,10 +245,13 @@ bool KinematicSearch::near(ContactProbe& probe, const QuinticPath& path, int mon
     if (a >= first.theta) return true;
     if (!(rates_(monitor, j) < 0.0 && rates_(monitor, j + 1) > 0.0)) continue;
     if (!mayBePresent(monitor, j + 1)) continue;
-    if (j == 0 && monitors[monitor].zeroStart) continue;
+    // A gap that starts at zero and falls by more than its noise dips as well.
+    const bool zero = j == 0 && monitors[monitor].zeroStart;
+    const double fell = -rates_(monitor, j) * path.length() / kSamples;
+    if (zero && !(fell > KinematicMonitors::kStart * monitors[monitor].noise)) continue;
     // The range of the gap so far: later values may belong to a fall that no contact stops.
     const double high = values_.row(monitor).head(j + 1).maxCoeff();
-    if (staysHigh(path, monitor, j, high)) continue;
+    if (!zero && staysHigh(path, monitor, j, high)) continue;
     double fa = rates_(monitor, j), fb = rates_(monitor, j + 1), c = b, v = 0.0;
     for (int i = 0; i < 40 && b - a > kMinimum; ++i) {
       c = i % 2 == 1 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
@@ -259,6 +270,12 @@ bool KinematicSearch::near(ContactProbe& probe, const QuinticPath& path, int mon
       double root = 0.0, slope = 0.0;
       Bracket at{static_cast<double>(j) / kSamples, values_(monitor, j), c, v};
       if (at.fa < 0.0 && monitors[monitor].features) continue;
+      bool positive = !zero;
+      if (zero && !fromZero(probe, path, monitor, at, positive)) return false;
+      if (!positive) {
+        first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
+        return true;
+      }
       if (!refine(probe, path, monitor, at, root, slope)) return false;
       if (!presentAt(probe, path, monitor, root, there)) return false;
       if (!there) {

@@ -38,6 +38,9 @@ class KinematicSearch {
   bool refine(ContactProbe& probe, const QuinticPath& path, int monitor, Bracket& at, double& root,
               double& slope);
   bool findOf(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
+  /// Halves [0, b] until the monitor, which starts at zero, is positive in its middle: at [a, b].
+  bool fromZero(ContactProbe& probe, const QuinticPath& path, int monitor, Bracket& at,
+                bool& positive);
   /// Finds where a monitor falls below zero between samples j − 1 and j. `there`: false for a gap
   /// whose features do not lie over one another at the root.
   bool fall(ContactProbe& probe, const QuinticPath& path, int monitor, int j, Switch& first,
