@@ -100,6 +100,9 @@ class Campaign:
             missing = [f for f in TABLES + ["frames.bin"] if not (folder / f).exists()]
             if seen.returncode != 0 and not missing:
                 self.fault(number, "verify: " + seen.stdout)
+        if not folder.exists():
+            self.counts["before their folder"] += 1
+            return
         had = (folder / "checkpoint").exists()
         resumed = self.call("resume", str(folder), "--quiet")
         if not had:
