@@ -8,11 +8,11 @@
 namespace dynamy {
 namespace {
 
-/// Velocities and rows of a usual evaluation, and its work; one of a larger model is worth more.
 /// Of the run: T of steps in time where it has no patience left.
 constexpr double kOfRun = 0.1;
-/// A step that diverges is halved twice, down to a part of the least step.
+/// A step that diverges is taken a quarter as long, down to a part of the least step.
 constexpr double kQuarter = 0.25, kLeastSense = 1e-3;
+/// Velocities and rows of a usual evaluation, and its work; one of a larger model is worth more.
 constexpr double kUsualRows = 80, kUsualEvaluation = 100 * kUsualRows;
 constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to the step
 

@@ -8,6 +8,8 @@ constexpr int kDense = 64;  ///< problems with more rows are solved by sparse me
 /// Floating-point operations of an evaluation of M, h and contacts, per velocity or row.
 constexpr double kPerRow = 100.0;
 constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
+/// In evaluations of one velocity: an evaluation costs so much besides, a decomposition of m rows
+/// m³/kRowsCubed, a gap kPerGap.
 constexpr double kEach = 5.0, kRowsCubed = 500.0, kPerGap = 4.0;
 
 }  // namespace
@@ -100,8 +102,7 @@ void GovernedMotion::govern(const MechanicalSystem& s, long evaluations, const S
   if (over && !turned()) work_.forget();
 }
 
-/// In evaluations of one velocity, as measured: an evaluation costs 5 besides, a decomposition of m rows costs m³/500, a gap 4, and more
-/// with a search.
+/// As fitted to the times of random scenes (theory 50.7).
 double GovernedMotion::workOf(const MechanicalSystem& s, long evaluations) const {
   const FrozenPhase& phase = motion_.parts().motion.phase;
   const ContactProbe::Looks& looks = motion_.parts().probe.looks;

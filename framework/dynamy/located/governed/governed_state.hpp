@@ -45,7 +45,7 @@ struct GovernedState {
   using Mode = SwitchGovernor::Mode;
   double next = 0.0;  ///< length of the next step [s]
   SwitchGovernor governor;
-  RunPatience patience;     ///< of the run; of an island: not in use
+  RunPatience patience;     ///< of the run; decides in the state of all islands alone
   WorkPace pace;            ///< of the island
   double time = 0.0;        ///< T of the scene [s]
   Eigen::VectorXd times;    ///< T of each system [s]

@@ -1,7 +1,7 @@
 /// RunPatience: what a run to a tolerance may spend on locating before what is most expensive is
 /// stepped in time (theory 50.7).
 ///
-///   B = p max(B₀, b n),   up to time t of t_E:  B (1/4 + 3/4 t/t_E)
+///   B = p max(B₀, b n),   up to time t of t_E:  B (1/2 + t/2t_E)
 ///
 /// in evaluations of one velocity, with n velocities and the attribute p, `patience`. Work is counted
 /// and not timed, so that a run repeats bit for bit. A run without an end, stepped by hand, has no
@@ -12,10 +12,10 @@
 
 namespace dynamy {
 
-/// What is left of it for one step of an island.
+/// What RunPatience grants at present.
 struct WorkAllowance {
   bool over = false;  ///< the run has spent more than it may up to now
-  double rate = std::numeric_limits<double>::infinity();  ///< of all its time [1/s]
+  double rate = std::numeric_limits<double>::infinity();  ///< B/t_E, work a second [1/s]
   double end = std::numeric_limits<double>::infinity();   ///< of the run [s]
 };
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/gap_watch.hpp>
 
@@ -12,12 +11,14 @@ namespace {
 /// the depth is extrapolated by γ^E alone, with an error of (ω Δt/2)²/2 of a body's size.
 constexpr double kDeeper = 1.01;
 constexpr long kFirstLooks = 8, kStepsPerLook = 128;
-/// Rows of a run that does not say how many, and those of a step that are looked at.
-constexpr double kRowsOfRun = 1000;
+/// Rows of a step that are looked at.
 constexpr int kMostRowsSeen = 50;
 constexpr double kOverlapNoise = 1e-12;  ///< of the scene's length
 
 }  // namespace
+
+GapWatch::GapWatch(Model& model, RunReport& report)
+    : model_(model), report_(report), rows_(model.record, model.simulation.until) {}
 
 void GapWatch::start(const StepView& initial) {
   const std::vector<const SetValuedForceLaw*>& laws = initial.system.slot(0).contacts.law;
@@ -28,14 +29,10 @@ void GapWatch::start(const StepView& initial) {
 }
 
 void GapWatch::rows(const StepView& view) {
-  const double every =
-      model_.record.every > 0.0 ? model_.record.every : model_.simulation.until / kRowsOfRun;
   const double from = view.before.t, to = view.after.t;
-  if (!(every > 0.0)) return;
-  int rows = 0;
-  for (double k = std::floor(from / every) + 1.0; k * every < to && rows < kMostRowsSeen;
-       ++k, ++rows) {
-    const double theta = (k * every - from) / (to - from);
+  rows_.after(from);
+  for (int i = 0; i < kMostRowsSeen && rows_.next() < to; ++i, rows_.pass()) {
+    const double theta = (rows_.next() - from) / (to - from);
     view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
     at_.memory = view.before.memory;
     overlaps(at_);

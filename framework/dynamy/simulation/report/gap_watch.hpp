@@ -10,6 +10,7 @@
 ///               not where they evaluate them
 #pragma once
 #include <dynamy/simulation/model/observer.hpp>
+#include <dynamy/simulation/report/row_instants.hpp>
 #include <dynamy/simulation/report/run_report.hpp>
 #include <dynamy/stages/contact_look.hpp>
 #include <memory>
@@ -19,7 +20,7 @@ namespace dynamy {
 class GapWatch {
  public:
   /// Results go to report.gaps; `model` is built, and both outlive the watch.
-  GapWatch(Model& model, RunReport& report) : model_(model), report_(report) {}
+  GapWatch(Model& model, RunReport& report);
   /// `initial`: view of the initial state, where bodies may overlap.
   void start(const StepView& initial);
   /// Extrapolates overlaps to the end of the step.
@@ -38,6 +39,7 @@ class GapWatch {
   /// System evaluated at the ends of steps, where schemes hold positions; created at its first use.
   std::unique_ptr<MechanicalSystem> ends_;
   ContactLook look_;     // at the ends of steps
+  RowInstants rows_;     // of the record
   State at_;             // within a step
   long looks_ = 0;       // evaluations of gaps at ends of steps
   bool joints_ = false;  // something is held by joints

@@ -1,6 +1,7 @@
 /// RowInstants: when the recorder writes a row: at the instants i·Δ, at given instants, or at both.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <dynamy/simulation/model/settings.hpp>
 #include <dynamy/simulation/model/time_grid.hpp>
 #include <limits>
@@ -31,6 +32,11 @@ class RowInstants {
   /// The start of the run has its row, and this is the first one after it.
   void startedAt(double t) {
     row_ = 1;
+    while (ofGiven() <= t) ++at_;
+  }
+  /// Goes to the first instant after t, later or earlier than next().
+  void after(double t) {
+    row_ = static_cast<long>(std::floor(t / grid_.at(1))) + 1, at_ = 0;
     while (ofGiven() <= t) ++at_;
   }
   /// Rows of the grid so far, which a checkpoint keeps, and the time of the last row.

@@ -125,11 +125,11 @@ void aboutParts(const RunReport& r, Warnings& out) {
   if (r.passing.left == 0) return;
   out.push_back(
       {"passed",
-       fmt::format("fast bodies hit so often in {} step{} (first at t = {:.6g} s, {}) that "
+       fmt::format("fast bodies hit so often in {} step{} (first at t = {:.6g} s{}) that "
                    "the rest of it was taken without looking what they pass; take a "
                    "smaller step",
                    r.passing.left, r.passing.left == 1 ? "" : "s", r.passing.firstLeft.t,
-                   r.passing.firstLeft.name),
+                   r.passing.firstLeft.name.empty() ? "" : ", " + r.passing.firstLeft.name),
        r.passing.left, r.passing.firstLeft.t, r.passing.firstLeft.name});
 }
 

@@ -4,11 +4,10 @@
 namespace dynamy {
 namespace {
 
-/// Work of tries that went beyond a contact which a fast body would pass, in evaluations of one
-/// velocity: of small models, of each velocity of large ones; the part of it that may be spent at
-/// any time.
+/// What fast bodies may cost beside the steps, in evaluations of one velocity: in small models, and for
+/// each velocity of large ones; the part of it that may be spent at any time.
 constexpr double kPartsWork = 4e6, kPartsOfEach = 2e4, kAtOnce = 0.5;
-/// Where it is used up, one of so many steps looks what it passes, to tell of it.
+/// Where it is used up, one of so many steps looks what it passes.
 constexpr long kSeldom = 16;
 
 }  // namespace
@@ -31,11 +30,14 @@ bool OwnSteps::mayEndAtContact(double t, double until) const {
   return parted_ < (kAtOnce + share) * std::max(kPartsWork, kPartsOfEach * nu_);
 }
 
-Passing OwnSteps::passed(Stepper& stepper, double until) {
-  if (!mayEndAtContact(stepper.t(), until) && ++unseen_ % kSeldom != 0) return {};
+Passing OwnSteps::passed(Stepper& stepper, double until, double tried) {
+  if (!mayEndAtContact(stepper.t(), until) && ++unseen_ % kSeldom != 0) {
+    stepper.leave({});
+    return {};
+  }
   const double before = stepper.spent().work;
   const Passing p = stepper.passing();
-  parted_ += stepper.spent().work - before;
+  parted_ += std::max(0.0, stepper.spent().work - before - tried);
   return p;
 }
 
@@ -48,10 +50,11 @@ bool OwnSteps::advance(Stepper& stepper, double until) {
     const Spent before = stepper.spent();
     const StepReport report = stepper.attempt(stepper.t() + most, most, false);
     const int tries = mostParts(nu_, stepper.spent().evaluations - before.evaluations);
+    const double tried = stepper.spent().work - before.work;
     const bool sound = stepper.sound();
-    if (const Passing p = sound ? passed(stepper, until) : Passing{}) {
+    if (const Passing p = sound ? passed(stepper, until, tried) : Passing{}) {
       if (i < tries && mayEndAtContact(stepper.t(), until)) {
-        parted_ += stepper.spent().work - before.work;
+        parted_ += tried;
         stepper.reject();
         // Next try: up to the contact or, if the body is there already, across it in a very short
         // step.

@@ -17,8 +17,8 @@ class OwnSteps final : public TimeLoop {
 
  private:
   bool advance(Stepper& stepper, double until);
-  /// The first contact that a fast body has passed in the step that was tried.
-  Passing passed(Stepper& stepper, double until);
+  /// The first contact that a fast body has passed in the step that was tried with this work.
+  Passing passed(Stepper& stepper, double until, double tried);
   /// May a further step end at a contact that a fast body would pass? Bodies that spin fast may hit so
   /// often that the run would not end.
   bool mayEndAtContact(double t, double until) const;
@@ -26,9 +26,11 @@ class OwnSteps final : public TimeLoop {
   NonConvergence policy_;
   int nu_;
   SampleInstants samples_;
-  double parted_ = 0.0;  // work of looks for such contacts and of tries that went beyond them
-  long unseen_ = 0;      // steps since the last look, once that work is used up
-  bool kept_ = false;    // the state from which a longer run continues is stored
+  // Work of tries that went beyond such contacts, and of looks for them as far as they cost more than
+  // the steps themselves.
+  double parted_ = 0.0;
+  long unseen_ = 0;    // steps since the last look, once that work is used up
+  bool kept_ = false;  // the state from which a longer run continues is stored
 };
 
 }  // namespace dynamy

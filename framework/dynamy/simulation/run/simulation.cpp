@@ -211,7 +211,7 @@ void Simulation::leave(const Passing& p) {
   PassingReport& passing = report_.passing;
   if (++passing.left > 1) return;
   passing.firstLeft.t = step_.before().t, passing.firstLeft.contact = p.contact;
-  passing.firstLeft.name = contactText(model_, p.contact);
+  if (p) passing.firstLeft.name = contactText(model_, p.contact);
 }
 
 bool Simulation::accept() {
