@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <dynamy/core/constants.hpp>
 #include <dynamy_elements/blocks/block_states.hpp>
@@ -76,7 +77,8 @@ void ElasticRope::declare(Attributes& a) {
   a.reference("carrier", "frame",
               "frame that carries a drum and turns the axis; default: the world")
       .mayBeAbsent();
-  a.child(Kind::part, 0, 12, "sheaves in their order from A to B", "Sheave");
+  a.child(Kind::part, 0, static_cast<int>(RopeWay::kMostCircles) - 2,
+          "sheaves in their order from A to B", "Sheave");
   a.example(
       "<ElasticRope between=\"world ball\" pointA=\"2 0 0\" EA=\"1e4\" damping=\"0.01\" "
       "axis=\"0 1 0\"><Sheave on=\"world\" point=\"1 0 3\" radius=\"0.2\"/></ElasticRope>");
@@ -217,13 +219,13 @@ Vec3 ElasticRope::axis(const Kinematics& k) const {
 }
 
 RopeWay ElasticRope::way(const Kinematics& k) const {
-  std::vector<RopeCircle> circles(posts_.size());
+  std::array<RopeCircle, RopeWay::kMostCircles> circles;
   for (std::size_t i = 0; i < posts_.size(); ++i) {
     const Post& p = posts_[i];
     const Frame& f = k.frame(p.frame);
     circles[i] = {f.r_OS_I + f.A_IK * p.point, p.radius, p.sense};
   }
-  return {axis(k), std::move(circles)};
+  return {axis(k), std::span(circles).first(posts_.size())};
 }
 
 Vec3 ElasticRope::strandVelocity(const Kinematics& k, int i) const {

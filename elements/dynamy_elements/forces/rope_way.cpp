@@ -31,10 +31,10 @@ double score(const RopeWay& way, const std::vector<RopeCircle>& circles,
 
 }  // namespace
 
-RopeWay::RopeWay(const Vec3& axis_I, std::vector<RopeCircle> circles)
-    : axis_I_(axis_I), circles_(std::move(circles)) {
-  strands_.reserve(circles_.size());
-  for (std::size_t i = 0; i + 1 < circles_.size(); ++i) {
+RopeWay::RopeWay(const Vec3& axis_I, std::span<const RopeCircle> circles)
+    : axis_I_(axis_I), count_(static_cast<int>(circles.size())) {
+  std::copy(circles.begin(), circles.end(), circles_.begin());
+  for (std::size_t i = 0; i + 1 < circles.size(); ++i) {
     const RopeCircle &from = circles_[i], &to = circles_[i + 1];
     Vec3 d = to.centre_I - from.centre_I;
     d -= axis_I_.dot(d) * axis_I_;
@@ -44,7 +44,7 @@ RopeWay::RopeWay(const Vec3& axis_I, std::vector<RopeCircle> circles)
     const Vec3 along = s.length * d - rho * axis_I_.cross(d);
     s.t = along.norm() > 0.0 ? Vec3(along.normalized()) : Vec3(axis_I_.unitOrthogonal());
     s.across = axis_I_.cross(s.t);
-    strands_.push_back(s);
+    strands_[i] = s;
   }
 }
 

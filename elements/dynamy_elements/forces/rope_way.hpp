@@ -9,7 +9,9 @@
 ///
 ///   α̇ = (a × t)·ḋ/l,    l̇ = t·ḋ + ρ α̇
 #pragma once
+#include <array>
 #include <dynamy/core/types.hpp>
+#include <span>
 #include <vector>
 
 namespace dynamy {
@@ -30,9 +32,10 @@ struct RopeStrand {
 
 class RopeWay {
  public:
-  /// Two circles at least: ends first and last.
-  RopeWay(const Vec3& axis_I, std::vector<RopeCircle> circles);
-  int strands() const { return static_cast<int>(strands_.size()); }
+  static constexpr std::size_t kMostCircles = 14;
+  /// 2 to kMostCircles circles: ends first and last. Does not allocate.
+  RopeWay(const Vec3& axis_I, std::span<const RopeCircle> circles);
+  int strands() const { return count_ - 1; }
   const RopeStrand& strand(int i) const { return strands_[static_cast<std::size_t>(i)]; }
   const Vec3& axis() const { return axis_I_; }
   /// Direction from the centre of circle i to where strand j touches it.
@@ -42,8 +45,9 @@ class RopeWay {
 
  private:
   Vec3 axis_I_;
-  std::vector<RopeCircle> circles_;
-  std::vector<RopeStrand> strands_;
+  int count_;  // of circles
+  std::array<RopeCircle, kMostCircles> circles_;
+  std::array<RopeStrand, kMostCircles> strands_;
 };
 
 /// Chooses the senses of all circles of a radius above 0, so that the rope passes circle i at the

@@ -1,6 +1,7 @@
 /// Fixed steps have an end, whatever fails in them.
 #include <gtest/gtest.h>
 
+#include <dynamy/simulation/run/own_steps.hpp>
 #include <dynamy/simulation/run/time_loop.hpp>
 #include <dynamy/stages/search_pauses.hpp>
 #include <functional>
@@ -121,6 +122,7 @@ class Counted final : public Stepper {
   void divided(int parts) override { ++divisions, finest = parts; }
   Passing passing(double ahead) override {
     const double dt = ahead > 0.0 ? ahead : t_ - begin_;
+    ++looks;
     Passing p;
     if (passes || dt > passesAbove) p.t = 0.5 * dt, p.width = 1e-3 * dt;
     return p;
@@ -128,7 +130,10 @@ class Counted final : public Stepper {
   void leave(const Passing&) override { ++left; }
   double t() const override { return t_; }
   double nextStep() const override { return 0.0; }
-  Spent spent() const override { return {attempts, workOfOne * static_cast<double>(attempts)}; }
+  Spent spent() const override {
+    return {attempts,
+            workOfOne * static_cast<double>(attempts) + workOfLook * static_cast<double>(looks)};
+  }
   bool pause(bool) override { return true; }
 
   std::function<bool(double)> solves = [](double) { return true; };
@@ -136,12 +141,45 @@ class Counted final : public Stepper {
   double passesAbove = 1e9;  // length from which a step passes a contact in its middle [s]
   double turnRate = 0.0;     // [rad/s]
   double workOfOne = 6.0;    // work of an attempt
-  long attempts = 0, rejected = 0, left = 0, divisions = 0, cheap = 0;
+  double workOfLook = 0.0;   // work of a look for passed contacts
+  long looks = 0, attempts = 0, rejected = 0, left = 0, divisions = 0, cheap = 0;
   int finest = 0;
 
  private:
   double t_ = 0.0, begin_ = 0.0;
 };
+
+TEST(OwnSteps, LookForPassedContactsWithinABudgetAndTellWhereItIsUsedUp) {
+  // A hundred steps of 1e5 each up to 1 s, with nothing passed. Looks that cost less than their step
+  // are all taken. Of 1e6 each, 9e5 counts: 6e6 in all grants seven, and one of sixteen of the other
+  // 93 steps looks; each of the rest is told.
+  for (const double look : {5e4, 1e6}) {
+    Counted s;
+    s.workOfOne = 1e5, s.workOfLook = look;
+    OwnSteps loop(0.01, NonConvergence::warn, 6);
+    while (loop.next(s, 1.0) == Advance::taken) {
+    }
+    EXPECT_NEAR(static_cast<double>(s.attempts), 100.0, 1.0);  // a rest of rounding
+    EXPECT_EQ(s.looks + s.left, s.attempts);
+    if (look < s.workOfOne) {
+      EXPECT_EQ(s.left, 0);
+    } else {
+      EXPECT_LE(s.looks, 7 + 1 + 93 / 16);
+    }
+  }
+}
+
+TEST(OwnSteps, TryToEndAtContactsWithinABudget) {
+  // Each step passes a contact, and each try costs 1e6: two tries are granted at once, six in 1 s.
+  Counted s;
+  s.passes = true, s.workOfOne = 1e6;
+  OwnSteps loop(0.01, NonConvergence::warn, 6);
+  for (int i = 0; i < 300 && loop.next(s, 1.0) == Advance::taken; ++i) {
+  }
+  EXPECT_GE(s.rejected, 2);
+  EXPECT_LE(s.rejected, 7);
+  EXPECT_GT(s.left, 50);
+}
 
 TEST(FixedSteps, ThatAreNeverSolvedTakeThreeTriesInTheEnd) {
   Counted s;
