@@ -119,7 +119,9 @@ void writeRunFacts(JsonWriter& json, const Model& model, const RunReport& r,
   json.member("stepping", r.cost.effort.stepping);
   json.member("looks", r.cost.effort.looks).member("gaps", r.cost.effort.gaps).endObject();
   json.key("stepping").beginObject().member("periods", r.stepping.periods);
-  json.member("stalls", r.stepping.stalls).member("impatient", r.stepping.impatient).member("steps", r.stepping.steps);
+  json.member("stalls", r.stepping.stalls)
+      .member("impatient", r.stepping.impatient)
+      .member("steps", r.stepping.steps);
   json.member("systems", r.stepping.systems);
   json.member("time", r.stepping.time).member("longest", r.stepping.longest);
   json.member("error", r.stepping.error).member("total", r.stepping.total);

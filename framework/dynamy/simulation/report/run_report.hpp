@@ -112,7 +112,8 @@ struct SteppingReport {
   double total = 0.0;    ///< sum of these errors
   Worst first;           ///< when the first period began and the contact that switched there
   void archive(Archive& a) {
-    a(periods), a(steps), a(systems), a(stalls), a(impatient), a(time), a(longest), a(error), a(total), a(first);
+    a(periods), a(steps), a(systems), a(stalls), a(impatient), a(time), a(longest), a(error),
+        a(total), a(first);
   }
 };
 
