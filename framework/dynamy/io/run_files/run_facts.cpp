@@ -86,6 +86,14 @@ void write(JsonWriter& json, const LocatedReport& r) {
   json.member("accumulationsPassed", r.accumulations).member("undecided", r.undecided);
 }
 
+void write(JsonWriter& json, const SteppingReport& r) {
+  json.key("stepping").beginObject().member("periods", r.periods).member("stalls", r.stalls);
+  json.member("impatient", r.impatient).member("steps", r.steps).member("systems", r.systems);
+  json.member("time", r.time).member("longest", r.longest);
+  json.member("error", r.error).member("total", r.total);
+  json.member("firstTime", r.first.t).member("firstContact", r.first.name).endObject();
+}
+
 }  // namespace
 
 std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
@@ -118,15 +126,7 @@ void writeRunFacts(JsonWriter& json, const Model& model, const RunReport& r,
   json.member("switches", r.cost.effort.switches).member("events", r.cost.effort.events);
   json.member("stepping", r.cost.effort.stepping);
   json.member("looks", r.cost.effort.looks).member("gaps", r.cost.effort.gaps).endObject();
-  json.key("stepping").beginObject().member("periods", r.stepping.periods);
-  json.member("stalls", r.stepping.stalls)
-      .member("impatient", r.stepping.impatient)
-      .member("steps", r.stepping.steps);
-  json.member("systems", r.stepping.systems);
-  json.member("time", r.stepping.time).member("longest", r.stepping.longest);
-  json.member("error", r.stepping.error).member("total", r.stepping.total);
-  json.member("firstTime", r.stepping.first.t);
-  json.member("firstContact", r.stepping.first.name).endObject();
+  write(json, r.stepping);
   writeSleep(json, r.cost.sleep);
   json.member("repairedImpacts", r.contacts.repairedImpacts);
   write(json, "energyGain", r.contacts.energyGain);
