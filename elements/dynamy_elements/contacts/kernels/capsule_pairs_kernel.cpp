@@ -1,4 +1,5 @@
-// Capsules with each other and on boxes. Their contacts jump between ends and edges.
+// Capsules with each other and on boxes: ends, sides and edges (capsule_features.hpp).
+#include <dynamy_elements/contacts/kernels/follow_pairs.hpp>
 #include <dynamy_elements/contacts/kernels/one_contact.hpp>
 #include <dynamy_elements/contacts/kernels/standard_pairs.hpp>
 #include <dynamy_elements/contacts/pairs/round_contact.hpp>
@@ -30,8 +31,9 @@ class CapsulePair : public PairKernel {
   std::uint64_t features(const TouchingShape&, const TouchingShape&) const override {
     return kFeatures;
   }
-  Following following(const TouchingShape&, const TouchingShape&) const override {
-    return Following::jumping;
+  /// Where a line without a radius touches, the normal jumps.
+  Following following(const TouchingShape&, const TouchingShape& b) const override {
+    return b.thickness > 0.0 ? Following::pairwise : Following::jumping;
   }
 };
 
@@ -41,6 +43,13 @@ class Capsules final : public CapsulePair<twoCapsules, kCapsules> {
                           std::uint64_t f) const override {
     return f == 0 ? "crossing" : (f < 3 ? "B.end" : "A.end") + std::to_string((f - 1) % 2);
   }
+  std::uint64_t followed(const TouchingShape&, const TouchingShape&) const override {
+    return kCapsules;
+  }
+  void follow(PairReport& report) const override {
+    const auto& [a, b, A, B, plane] = report.pair();
+    followFeatures(report, TwoCapsules(A, a, B, b, plane));
+  }
 };
 
 class CapsuleOnBox final : public CapsulePair<capsuleAtBox, kCapsuleOnBox> {
@@ -49,6 +58,13 @@ class CapsuleOnBox final : public CapsulePair<capsuleAtBox, kCapsuleOnBox> {
                           std::uint64_t f) const override {
     if (f < 2) return "B.end" + std::to_string(f);
     return f < 14 ? "edge" + std::to_string(f - 2) : "A.corner" + std::to_string(f - 14);
+  }
+  std::uint64_t followed(const TouchingShape&, const TouchingShape&) const override {
+    return kCapsuleOnBox;
+  }
+  void follow(PairReport& report) const override {
+    const auto& [a, b, A, B, plane] = report.pair();
+    followFeatures(report, CapsuleFeatures(A, a, B, b));
   }
 };
 

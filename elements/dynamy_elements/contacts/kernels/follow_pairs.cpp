@@ -75,8 +75,32 @@ void reportAsked(PairReport& report, std::span<const ContactKey> asked) {
   }
 }
 
+/// Two bodies with flat faces.
 template <class Body>
-void followBodies(PairReport& report, const Body& a, const Body& b) {
+struct Facets {
+  const Body &a, &b;
+  double separation() const { return dynamy::separation(a, b); }
+  ContactPoint contact(int f, bool rates, double& presence) const {
+    return featurePair(a, b, f, rates, presence);
+  }
+  void near(const Nearness& within, std::vector<int>& out) const {
+    nearFeatures(a, b, within, out);
+  }
+};
+
+/// A capsule and another body.
+template <class Features>
+struct OfCapsule {
+  const PairReport& report;
+  const Features& pairs;
+  double separation() const { return report.rule().kernel->gap(report.pair(), 0); }
+  ContactPoint contact(int f, bool, double& presence) const { return pairs.contact(f, presence); }
+  void near(const Nearness& within, std::vector<int>& out) const { pairs.near(within, out); }
+};
+
+/// `pairs`: contact(f, rates, presence) of pair f, separation() of the bodies and near(within, out).
+template <class Pairs>
+void followPairs(PairReport& report, const Pairs& pairs) {
   ContactSink& sink = report.sink();
   sink.comesAndGoes();
   const std::uint64_t first = report.id() + report.rule().followed,
@@ -84,7 +108,7 @@ void followBodies(PairReport& report, const Body& a, const Body& b) {
   for (const ContactKey key : sink.asked(first, end)) {
     const auto feature = static_cast<int>(contactNumber(key) - first);
     double presence = 0.0;
-    const ContactPoint at = featurePair(a, b, feature, sink.request().bias, presence);
+    const ContactPoint at = pairs.contact(feature, sink.request().bias, presence);
     report.add(contactNumber(key) - report.id(), at);
     sink.presence(presence);
   }
@@ -92,24 +116,32 @@ void followBodies(PairReport& report, const Body& a, const Body& b) {
   if (tau < 0.0) return;
   Nearness within = movesWithin(report.pair(), tau);
   if (farApart(report.pair(), within.reach)) return;
-  const double gap = separation(a, b);
+  const double gap = pairs.separation();
   if (gap > within.reach) return;
   sink.overlap(-gap, report.id(), false);
   within.reach += std::max(0.0, -2.0 * gap);  // for bodies that overlap already
   std::vector<int>& near = report.near();
   near.clear();
-  nearFeatures(a, b, within, near);
+  pairs.near(within, near);
   for (const int f : near) sink.note(first + static_cast<std::uint64_t>(f));
 }
 
 }  // namespace
 
 void followFeatures(PairReport& report, const PlacedPolyhedron& a, const PlacedPolyhedron& b) {
-  followBodies(report, a, b);
+  followPairs(report, Facets<PlacedPolyhedron>{a, b});
 }
 
 void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPolygon& b) {
-  followBodies(report, a, b);
+  followPairs(report, Facets<PlacedPolygon>{a, b});
+}
+
+void followFeatures(PairReport& report, const CapsuleFeatures& pairs) {
+  followPairs(report, OfCapsule<CapsuleFeatures>{report, pairs});
+}
+
+void followFeatures(PairReport& report, const TwoCapsules& pairs) {
+  followPairs(report, OfCapsule<TwoCapsules>{report, pairs});
 }
 
 void watch(PairReport& report) {

@@ -2,6 +2,7 @@
 /// polyhedra and polygons one by one, and pairs of shapes that are noted before they touch.
 #pragma once
 #include <dynamy_elements/contacts/kernels/pair_report.hpp>
+#include <dynamy_elements/contacts/pairs/capsule_features.hpp>
 #include <dynamy_elements/contacts/pairs/polygon_contact.hpp>
 #include <dynamy_elements/contacts/pairs/polyhedron_contact.hpp>
 
@@ -11,6 +12,8 @@ namespace dynamy {
 /// touch within the time that is looked ahead.
 void followFeatures(PairReport& report, const PlacedPolyhedron& a, const PlacedPolyhedron& b);
 void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPolygon& b);
+void followFeatures(PairReport& report, const CapsuleFeatures& pairs);
+void followFeatures(PairReport& report, const TwoCapsules& pairs);
 
 /// Reports the contacts of the pair if some of them are requested by key, and notes its contacts if
 /// they may close. Of a pair whose contacts jump exactly those that are requested are reported, also

@@ -1,6 +1,7 @@
 // Shapes on polyhedra, meshes and height fields: all that stands out of the surface
 // (surface_contact.hpp). A surface has one side, so that gaps are known up to the size of B only.
 #include <algorithm>
+#include <dynamy_elements/contacts/kernels/follow_pairs.hpp>
 #include <dynamy_elements/contacts/kernels/one_contact.hpp>
 #include <dynamy_elements/contacts/kernels/standard_pairs.hpp>
 #include <dynamy_elements/contacts/pairs/disc_on_mesh.hpp>
@@ -104,10 +105,31 @@ int polyhedronAt(const PosedPair& p, double reach, bool bias, OnSurfaceContacts&
   return polyhedronOnMesh(p.A, *p.a.surface, placedPolyhedron(p.B, p.b), reach, bias, found);
 }
 
+/// On a polyhedron, pairs of features are followed one by one.
 class CapsuleOnSurface final : public OnSurface<capsuleAt> {
  public:
-  std::uint64_t features(const TouchingShape& a, const TouchingShape&) const override {
+  static std::uint64_t own(const TouchingShape& a) {
     return static_cast<std::uint64_t>(capsuleFeatures(*a.surface));
+  }
+  std::uint64_t features(const TouchingShape& a, const TouchingShape& b) const override {
+    return own(a) + followed(a, b);
+  }
+  Following following(const TouchingShape& a, const TouchingShape& b) const override {
+    return a.polyhedron && b.thickness > 0.0 ? Following::pairwise : Following::jumping;
+  }
+  std::uint64_t followed(const TouchingShape& a, const TouchingShape& b) const override {
+    if (following(a, b) != Following::pairwise) return 0;
+    return static_cast<std::uint64_t>(CapsuleFeatures::count(a));
+  }
+  void follow(PairReport& report) const override {
+    const auto& [a, b, A, B, plane] = report.pair();
+    followFeatures(report, CapsuleFeatures(A, a, B, b));
+  }
+  FollowedPartners partners(const TouchingShape& a, const TouchingShape& b,
+                            std::uint64_t f) const override {
+    if (followed(a, b) == 0) return {};
+    const auto all = static_cast<std::uint64_t>(a.surface->features());
+    return {f < 2 * all ? f / all : f - 2 * all + 2, 1};
   }
   std::string featureName(const TouchingShape& a, const TouchingShape&,
                           std::uint64_t f) const override;
@@ -121,6 +143,13 @@ std::string CapsuleOnSurface::featureName(const TouchingShape& a, const Touching
              edges = static_cast<std::uint64_t>(A.edges());
   if (f < 2 * all)
     return "B.end" + std::to_string(f / all) + "-" + A.featureName(static_cast<int>(f % all));
+  if (f >= own(a)) {
+    f -= own(a);
+    if (f < 2) return "B.end" + std::to_string(f);
+    f -= 2;
+    return (f < edges ? "edge" + std::to_string(f) : "A.corner" + std::to_string(f - edges)) +
+           "-side";
+  }
   f -= 2 * all;
   return f < edges ? "edge" + std::to_string(f) : "A.corner" + std::to_string(f - edges);
 }

@@ -6,9 +6,6 @@ namespace {
 
 /// Sine of the angle of two edges below which they are parallel and have no normal.
 constexpr double kParallelEdges = 1e-4;
-/// Sine of the angle by which a normal may lie beyond those of the faces that meet in a feature:
-/// more than rounding and drift turn faces that lie on each other.
-constexpr double kBeyond = 0.05;
 
 double sameOf(const PlacedPolyhedron& A, const PlacedPolyhedron& B) {
   return kSameFeature * std::min(A.of->halfWidth(), B.of->halfWidth());
@@ -47,16 +44,6 @@ Vec3 outOf(const Polyhedron& body, const Polyhedron::Edge& e) {
   return body.face(e.f).n + body.face(e.g).n;
 }
 
-/// Distance of two segments.
-double distance(const PlacedEdge& a, const PlacedEdge& b) {
-  const Vec3 d = b.o - a.o;
-  const double c = a.e.dot(b.e), da = d.dot(a.e), db = d.dot(b.e), square = 1.0 - c * c;
-  double s = square > 0.0 ? std::clamp((da - c * db) / square, -a.half, a.half) : 0.0;
-  const double t = std::clamp(c * s - db, -b.half, b.half);
-  s = std::clamp(c * t + da, -a.half, a.half);
-  return (d + t * b.e - s * a.e).norm();
-}
-
 /// Vertex v of `mover` over face f of `body`.
 ContactPoint vertexOnFace(const PlacedPolyhedron& body, int f, const PlacedPolyhedron& mover, int v,
                           double sign, double same, bool rates, double& presence) {
@@ -81,8 +68,9 @@ ContactPoint edgesCrossing(const PlacedPolyhedron& A, int i, const PlacedPolyhed
     return out;
   }
   const double least = std::min(a.half, b.half);
-  const double turn = kBeyond + std::min(withinNormals(*A.of, ofA, A.R.transpose() * at.n),
-                                         withinNormals(*B.of, ofB, -(B.R.transpose() * at.n)));
+  const double turn =
+      kBeyondNormals + std::min(withinNormals(*A.of, ofA, A.R.transpose() * at.n),
+                                withinNormals(*B.of, ofB, -(B.R.transpose() * at.n)));
   presence =
       std::min({same + a.half - std::abs(at.s), same + b.half - std::abs(at.t), least * turn});
   return edgeOnEdge(*A.frame, a, *B.frame, b, EdgeCrossing(a, b), at.n);
@@ -106,7 +94,7 @@ void nearVertices(const Polyhedron& body, const Polyhedron& mover, const Mat3& R
       bool lowest = true;
       for (const int w : mover.neighbours(v)) {
         const Vec3 way = mover.corner(w) - mover.corner(v);
-        lowest = lowest && n.dot(way) >= -(kBeyond + within.turn) * way.norm();
+        lowest = lowest && n.dot(way) >= -(kBeyondNormals + within.turn) * way.norm();
       }
       if (lowest) out.push_back(number + v * faces + f);
     }
@@ -127,7 +115,7 @@ void nearEdges(const Polyhedron& A, const Polyhedron& B, const Mat3& R, const Ve
         continue;
       const Crossing at(a, b, outOf(A, ofA));
       if (at.sine + within.turn < kParallelEdges) continue;
-      const double beyond = kBeyond + 2.0 * within.turn / std::max(at.sine, kParallelEdges);
+      const double beyond = kBeyondNormals + 2.0 * within.turn / std::max(at.sine, kParallelEdges);
       const bool lies = at.parallel || beyond > 1.0 ||
                         std::min(withinNormals(A, ofA, at.n),
                                  withinNormals(B, ofB, -(R.transpose() * at.n))) >= -beyond;
@@ -137,6 +125,15 @@ void nearEdges(const Polyhedron& A, const Polyhedron& B, const Mat3& R, const Ve
 }
 
 }  // namespace
+
+double distance(const PlacedEdge& a, const PlacedEdge& b) {
+  const Vec3 d = b.o - a.o;
+  const double c = a.e.dot(b.e), da = d.dot(a.e), db = d.dot(b.e), square = 1.0 - c * c;
+  double s = square > 0.0 ? std::clamp((da - c * db) / square, -a.half, a.half) : 0.0;
+  const double t = std::clamp(c * s - db, -b.half, b.half);
+  s = std::clamp(c * t + da, -a.half, a.half);
+  return (d + t * b.e - s * a.e).norm();
+}
 
 int featurePairs(const Polyhedron& A, const Polyhedron& B) {
   return static_cast<int>(B.corners().size() * A.faces().size() +
@@ -200,7 +197,7 @@ void nearCorners(const PlacedPolygon& body, const PlacedPolygon& mover, const Ne
                last = mover.corner(v + n - 1) - p;
     for (int i = 0; i < body.size(); ++i) {
       const Side side(body, i);
-      const double least = -(kBeyond + within.turn);
+      const double least = -(kBeyondNormals + within.turn);
       if (std::abs(side.n.dot(p - side.o)) <= within.reach && side.inside(p) >= -within.reach &&
           side.n.dot(next) >= least * next.norm() && side.n.dot(last) >= least * last.norm())
         out.push_back(number + v * body.size() + i);

@@ -20,6 +20,10 @@
 
 namespace dynamy {
 
+/// Sine of the angle by which a normal may lie beyond those of the faces that meet in a feature:
+/// more than rounding and drift turn faces that lie on each other.
+inline constexpr double kBeyondNormals = 0.05;
+
 /// How far and by which angle two bodies may move relative to each other before
 /// their features are searched again.
 struct Nearness {
@@ -39,6 +43,9 @@ ContactPoint featurePair(const PlacedPolyhedron& A, const PlacedPolyhedron& B, i
                          double& presence);
 ContactPoint featurePair(const PlacedPolygon& A, const PlacedPolygon& B, int f, bool rates,
                          double& presence);
+
+/// Distance of two edges [m].
+double distance(const PlacedEdge& a, const PlacedEdge& b);
 
 /// Appends, in ascending order, the pairs that may touch while A and B move by at most `within`.
 void nearFeatures(const PlacedPolyhedron& A, const PlacedPolyhedron& B, const Nearness& within,

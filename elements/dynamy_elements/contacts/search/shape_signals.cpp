@@ -77,8 +77,10 @@ void describeContacts(Description& d, const ShapeSet& shapes, const PairRules& r
   for (const auto& [i, j] : rules.few()) {
     const TouchingPair pair = rules.pair(i, j);
     const int geometric = pair.rule->plane == 0 ? 3 : 2;
-    if (pair.rule->followed > kMostNamedFeatures) continue;  // only their number is a signal
-    for (std::uint64_t f = 0; f < pair.rule->followed; ++f)
+    // Of some pairs all contacts are followed one by one.
+    const std::uint64_t named = pair.rule->followed > 0 ? pair.rule->followed : pair.rule->features;
+    if (named > kMostNamedFeatures) continue;  // only their number is a signal
+    for (std::uint64_t f = 0; f < named; ++f)
       describeContact(d, numbers(pair, f), geometric, *pair.rule->law,
                       rules.contactName(pair.id + f) + ".");
   }

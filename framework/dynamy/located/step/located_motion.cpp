@@ -76,7 +76,8 @@ Refusal LocatedMotion::enter(LocatedStep& step, const State& x, const Start& sta
                          .speedNoise = TrialConstants::speedNoise * norm.speed(),
                          .touch = parts_.leftOverlap(),
                          .flat = parts_.flatHeight(),
-                         .same = EventContacts::kSame * norm.length()});
+                         .same = EventContacts::kSame * norm.length(),
+                         .gone = EventContacts::kGone * norm.length()});
   return refusal;
 }
 

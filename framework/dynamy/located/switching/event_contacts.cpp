@@ -6,7 +6,6 @@ namespace dynamy {
 namespace {
 
 constexpr double kTouch = 1e-10;  ///< gaps up to this part of L take part in an impact
-constexpr double kGone = 1e-12;   ///< features that lie over one another by less of L leave
 constexpr double kDeep = 10.0;    ///< overlaps of features touch up to this multiple of tol L
 
 }  // namespace

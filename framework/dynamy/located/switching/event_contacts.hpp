@@ -12,6 +12,8 @@ class EventContacts {
  public:
   /// Contacts of the same two bodies that are nearer than this part of L count as one.
   static constexpr double kSame = 4e-6;
+  /// Features that lie over one another by less than this part of L leave.
+  static constexpr double kGone = 1e-12;
   /// Finds the contacts of an event that ends the statuses `held`. `left`: a contact whose features
   /// leave one another, which takes no part. False: contacts have come or gone that cannot be
   /// followed.

@@ -18,6 +18,7 @@ struct MonitorLimits {
   double touch = 0.0;       ///< bodies lie on each other at gaps and overlaps up to this [m]
   double flat = 0.0;        ///< circles with the lowest point less below the middle lie flat [m]
   double same = 0.0;        ///< nearer contacts of one pair of bodies count as one [m]
+  double gone = 0.0;        ///< features whose presence is less take no part in events [m]
 };
 
 struct KinematicMonitor {

@@ -143,6 +143,9 @@ bool KinematicSearch::presentAt(ContactProbe& probe, const QuinticPath& path, in
   // Where the normal of two edges reverses, their gap jumps from one sign to the other.
   const double range = values_.row(monitor).maxCoeff() - values_.row(monitor).minCoeff();
   there = k.present(probe) && std::abs(v) <= Bracket::kSmallValue * range + monitors.limits().touch;
+  // Features that have just left take no part in an event at the start, which would be empty.
+  if (theta == 0.0 && presences_(monitor, 0) <= monitors.limits().gone)
+    there = there && presences_(monitor, 1) > 0.0;
   return true;
 }
 
