@@ -37,28 +37,24 @@ std::set<std::string> allModels() {
   return out;
 }
 
-/// Until then; those that are stepped in time come to it later [s].
-constexpr double kUntil = 0.02, kUntilStepped = 0.9;
+constexpr double kUntil = 0.02;  ///< [s]
 
 TEST(ModelsToATolerance, RunAsTheirPageSays) {
   const auto table = documented();
-  ASSERT_TRUE(table.contains("stepped"));
-  const std::set<std::string>& stepped = table.at("stepped");
+  ASSERT_TRUE(table.contains("expensive"));
   for (const std::string& name : allModels()) {
     if (table.at("expensive").contains(name)) continue;
-    const bool late = stepped.contains(name);
-    LocatedRun run(name, 1e-5, late ? kUntilStepped : kUntil);
+    LocatedRun run(name, 1e-5, kUntil);
     const RunReport& r = run.run();
     EXPECT_EQ(r.ended, RunReport::Ended::finished) << name << ": " << r.reason;
-    EXPECT_EQ(r.stepping.periods > 0, late) << name;
+    EXPECT_EQ(r.stepping.periods, 0) << name;
     const auto warned = [](const Warning& w) {
       return w.kind == "time stepping" || w.kind == "stepped";
     };
-    EXPECT_EQ(std::any_of(r.warnings.begin(), r.warnings.end(), warned), late) << name;
+    EXPECT_FALSE(std::any_of(r.warnings.begin(), r.warnings.end(), warned)) << name;
   }
-  for (const char* word : {"expensive", "stepped"})
-    for (const std::string& name : table.at(word))
-      EXPECT_TRUE(allModels().contains(name)) << "doc/models.md: " << word << " " << name;
+  for (const std::string& name : table.at("expensive"))
+    EXPECT_TRUE(allModels().contains(name)) << "doc/models.md: expensive " << name;
 }
 
 }  // namespace

@@ -148,5 +148,55 @@ TEST(LocatedImpacts, FindsADipThatBeginsWhereTheGapIsZero) {
   EXPECT_GT(least, -6e-6);
 }
 
+TEST(LocatedImpacts, FollowEachOtherAtOneInstantUntilNoneIsLeft) {
+  // A ball that touches the floor and a heavy one hits them in turn, all at t = 0: after one on the
+  // floor v ← −e v, after one between both V ← V + P/M, v ← v − P/m. Of 900 impacts none is left, and
+  // both rest.
+  const double m = 1.0, M = 400.0, e = 0.9;
+  double v = -1.0, V = -0.5;
+  int impacts = 0;
+  for (; impacts < 5000; ++impacts) {
+    if (v < -1e-10) {
+      v = -e * v;
+    } else if (V - v < -1e-10) {
+      const double P = -(1.0 + e) * (V - v) / (1.0 / m + 1.0 / M);
+      V += P / M, v -= P / m;
+    } else {
+      break;
+    }
+  }
+  LocatedRun run(R"(<dynamy version="1"><systems>
+    <RigidBody name="light" position="0 0 0.1" velocity="0 0 -1"><Sphere radius="0.1" mass="1" material="a"/></RigidBody>
+    <RigidBody name="heavy" position="0 0 0.5" velocity="0 0 -0.5"><Sphere radius="0.3" mass="400" material="a"/></RigidBody>
+    <Ground><HalfSpace material="a"/></Ground></systems>
+    <elements><Contact between="a a"><UnilateralCoulomb mu="0" epsilonN="0.9"/></Contact></elements>
+    <simulation until="1" step="1"/></dynamy>)",
+                 1e-6, 1.0);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_EQ(r.stepping.periods, 0);
+  // Contacts that approach with less than 1e-10 of the largest speed rest: some hundred roundings
+  // of such speeds at most.
+  EXPECT_NEAR(run.state().u[2], v, 1e-8);
+  EXPECT_NEAR(run.state().u[8], V, 1e-8);
+  EXPECT_GT(r.contacts.impacts, impacts / 2);  // the last ones, below 1e-10, are no impacts
+}
+
+TEST(LocatedImpacts, ABounceBelowRoundingOfItsGapComesToRest) {
+  // It would rise by v²/2a = 2.6e-16 m from a gap of −1.5e-13 m: it never opens.
+  LocatedRun run(R"(<dynamy version="1"><systems><RigidBody name="ball" velocity="0 0 2.3e-4"
+    position="0 0 0.99999999999985"><Sphere radius="1" mass="1" material="a"/></RigidBody>
+    <Ground><HalfSpace material="a"/></Ground></systems>
+    <forces><Gravity acceleration="0 0 -1e8"/></forces>
+    <elements><Contact between="a a"><UnilateralCoulomb mu="0" epsilonN="0.55"/></Contact></elements>
+    <simulation until="1" step="1"/></dynamy>)",
+                 1e-3, 1e-3);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_EQ(r.stepping.periods, 0);
+  EXPECT_NEAR(run.state().q[2], 1.0, 1e-12);
+  EXPECT_EQ(run.state().u[2], 0.0);
+}
+
 }  // namespace
 }  // namespace dynamy::reference

@@ -25,6 +25,7 @@ ContactPoint ballAtCapsule(const PosedPair& p) {
 ContactPoint ballAtCylinder(const PosedPair& p) {
   return ballOnCylinder(p.A, p.a, p.B, p.b.features[0]);
 }
+ContactPoint ballAtTorus(const PosedPair& p) { return ballOnTorus(p.A, p.a, p.B, p.b.features[0]); }
 ContactPoint ballAtCone(const PosedPair& p) {
   return ballOnCone(discBody(p.A, p.a), p.B, p.b.features[0]);
 }
@@ -54,6 +55,7 @@ void addBallPairs(PairTable& table) {
             {{Touch::capsule, Touch::ball}});
   table.add(std::make_unique<OneContact<ballAtCylinder>>(), {space},
             {{Touch::cylinder, Touch::ball}});
+  table.add(std::make_unique<OneContact<ballAtTorus>>(), {space}, {{Touch::torus, Touch::ball}});
   table.add(std::make_unique<OneContact<ballAtCone>>(), {space}, {{Touch::cone, Touch::ball}});
   table.add(std::make_unique<BallOnBox<8>>(), {space}, {{Touch::box, Touch::ball}});
   table.add(std::make_unique<BallOnBox<4>>(), {plane}, {{Touch::box, Touch::ball}});

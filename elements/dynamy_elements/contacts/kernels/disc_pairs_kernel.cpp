@@ -1,4 +1,5 @@
-// Cylinders, cones and tori with each other, with capsules and balls, and on boxes and polyhedra.
+// Cylinders, cones and tori with each other, with capsules, and on boxes and polyhedra.
+#include <dynamy_elements/contacts/kernels/follow_pairs.hpp>
 #include <dynamy_elements/contacts/kernels/one_contact.hpp>
 #include <dynamy_elements/contacts/kernels/standard_pairs.hpp>
 #include <dynamy_elements/contacts/pairs/between_discs.hpp>
@@ -25,8 +26,8 @@ class Discs final : public PairKernel {
   }
   std::string featureName(const TouchingShape&, const TouchingShape&,
                           std::uint64_t f) const override;
-  Following following(const TouchingShape&, const TouchingShape& b) const override {
-    return b.kind == Touch::ball ? Following::gaps : Following::jumping;
+  Following following(const TouchingShape&, const TouchingShape&) const override {
+    return Following::jumping;
   }
 };
 
@@ -42,14 +43,28 @@ class DiscOnPolyhedron final : public PairKernel {
   double gap(const PosedPair& p, std::size_t) const override {
     return separation(placedPolyhedron(p.A, p.a), discBody(p.B, p.b));
   }
-  std::uint64_t features(const TouchingShape& a, const TouchingShape&) const override {
+  static std::uint64_t own(const TouchingShape& a) {
     return static_cast<std::uint64_t>(discFeatures(*a.polyhedron));
+  }
+  std::uint64_t features(const TouchingShape& a, const TouchingShape& b) const override {
+    return own(a) + followed(a, b);
   }
   std::string featureName(const TouchingShape& a, const TouchingShape&,
                           std::uint64_t f) const override;
   Following following(const TouchingShape&, const TouchingShape&) const override {
-    return Following::jumping;
+    return Following::pairwise;
   }
+  std::uint64_t followed(const TouchingShape& a, const TouchingShape&) const override {
+    return static_cast<std::uint64_t>(DiscFeatures::count(*a.polyhedron));
+  }
+  void follow(PairReport& report) const override {
+    const PosedPair& p = report.pair();
+    const PlacedPolyhedron a = placedPolyhedron(p.A, p.a);
+    const DiscBody b = discBody(p.B, p.b);
+    followFeatures(report, DiscFeatures(a, b, report.request().flat));
+  }
+  FollowedPartners partners(const TouchingShape& a, const TouchingShape& b,
+                            std::uint64_t f) const override;
 };
 
 std::string ofRim(std::uint64_t rim, std::uint64_t k) {
@@ -60,6 +75,7 @@ std::string DiscOnPolyhedron::featureName(const TouchingShape& a, const Touching
                                           std::uint64_t f) const {
   const Polyhedron& A = *a.polyhedron;
   const std::size_t corners = A.corners().size(), edges = A.edges().size();
+  if (f >= own(a)) return DiscFeatures::name(A, static_cast<int>(f - own(a)));
   if (f < 2) return "B.rim" + std::to_string(f);
   if (f < 10) return "B.rim" + std::to_string((f - 2) / 4) + ".point" + std::to_string((f - 2) % 4);
   f -= 10;
@@ -68,6 +84,20 @@ std::string DiscOnPolyhedron::featureName(const TouchingShape& a, const Touching
   if (f < edges) return "edge" + std::to_string(f) + "-side";
   f -= edges;
   return "edge" + std::to_string(f / 4) + "-" + ofRim(f / 2 % 2, f % 2);
+}
+
+FollowedPartners DiscOnPolyhedron::partners(const TouchingShape& a, const TouchingShape&,
+                                            std::uint64_t f) const {
+  const Polyhedron& A = *a.polyhedron;
+  const std::uint64_t faces = A.faces().size(), corners = A.corners().size(),
+                      edges = A.edges().size(), ofCorners = 10 * faces,
+                      ofEdges = ofCorners + 5 * corners;
+  if (f < 10) return {f * faces, faces};
+  f -= 10;
+  if (f < corners) return {ofCorners + 5 * f, 5};
+  f -= corners;
+  return f < edges ? FollowedPartners{ofEdges + 6 * f, 2}
+                   : FollowedPartners{ofEdges + 6 * ((f - edges) / 4) + 2 + (f - edges) % 4, 1};
 }
 
 std::string Discs::featureName(const TouchingShape&, const TouchingShape&, std::uint64_t f) const {
@@ -89,8 +119,7 @@ std::string Discs::featureName(const TouchingShape&, const TouchingShape&, std::
 void addDiscPairs(PairTable& table) {
   using enum PairTable::Room;
   table.add(std::make_unique<Discs>(), {space},
-            {{Touch::torus, Touch::ball},
-             {Touch::cylinder, Touch::capsule},
+            {{Touch::cylinder, Touch::capsule},
              {Touch::torus, Touch::capsule},
              {Touch::cone, Touch::capsule},
              {Touch::cylinder, Touch::cylinder},

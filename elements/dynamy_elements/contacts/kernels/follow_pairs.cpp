@@ -80,25 +80,27 @@ template <class Body>
 struct Facets {
   const Body &a, &b;
   double separation() const { return dynamy::separation(a, b); }
-  ContactPoint contact(int f, bool rates, double& presence) const {
-    return featurePair(a, b, f, rates, presence);
+  FollowedPair pair(int f, bool rates) const {
+    FollowedPair out;
+    out.at = featurePair(a, b, f, rates, out.presence);
+    return out;
   }
   void near(const Nearness& within, std::vector<int>& out) const {
     nearFeatures(a, b, within, out);
   }
 };
 
-/// A capsule and another body.
+/// A round body and another one.
 template <class Features>
-struct OfCapsule {
+struct OfRound {
   const PairReport& report;
   const Features& pairs;
   double separation() const { return report.rule().kernel->gap(report.pair(), 0); }
-  ContactPoint contact(int f, bool, double& presence) const { return pairs.contact(f, presence); }
+  FollowedPair pair(int f, bool) const { return pairs.pair(f); }
   void near(const Nearness& within, std::vector<int>& out) const { pairs.near(within, out); }
 };
 
-/// `pairs`: contact(f, rates, presence) of pair f, separation() of the bodies and near(within, out).
+/// `pairs`: pair(f, rates), separation() of the bodies and near(within, out).
 template <class Pairs>
 void followPairs(PairReport& report, const Pairs& pairs) {
   ContactSink& sink = report.sink();
@@ -107,10 +109,9 @@ void followPairs(PairReport& report, const Pairs& pairs) {
                       end = report.id() + report.rule().features;
   for (const ContactKey key : sink.asked(first, end)) {
     const auto feature = static_cast<int>(contactNumber(key) - first);
-    double presence = 0.0;
-    const ContactPoint at = pairs.contact(feature, sink.request().bias, presence);
-    report.add(contactNumber(key) - report.id(), at);
-    sink.presence(presence);
+    const FollowedPair pair = pairs.pair(feature, sink.request().bias);
+    report.add(contactNumber(key) - report.id(), pair.at);
+    pair.circle >= 0.0 ? sink.circle(pair.circle) : sink.presence(pair.presence);
   }
   const double tau = sink.request().ahead;
   if (tau < 0.0) return;
@@ -137,11 +138,15 @@ void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPoly
 }
 
 void followFeatures(PairReport& report, const CapsuleFeatures& pairs) {
-  followPairs(report, OfCapsule<CapsuleFeatures>{report, pairs});
+  followPairs(report, OfRound<CapsuleFeatures>{report, pairs});
 }
 
 void followFeatures(PairReport& report, const TwoCapsules& pairs) {
-  followPairs(report, OfCapsule<TwoCapsules>{report, pairs});
+  followPairs(report, OfRound<TwoCapsules>{report, pairs});
+}
+
+void followFeatures(PairReport& report, const DiscFeatures& pairs) {
+  followPairs(report, OfRound<DiscFeatures>{report, pairs});
 }
 
 void watch(PairReport& report) {

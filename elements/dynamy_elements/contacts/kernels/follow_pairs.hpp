@@ -3,6 +3,7 @@
 #pragma once
 #include <dynamy_elements/contacts/kernels/pair_report.hpp>
 #include <dynamy_elements/contacts/pairs/capsule_features.hpp>
+#include <dynamy_elements/contacts/pairs/disc_features.hpp>
 #include <dynamy_elements/contacts/pairs/polygon_contact.hpp>
 #include <dynamy_elements/contacts/pairs/polyhedron_contact.hpp>
 
@@ -14,6 +15,7 @@ void followFeatures(PairReport& report, const PlacedPolyhedron& a, const PlacedP
 void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPolygon& b);
 void followFeatures(PairReport& report, const CapsuleFeatures& pairs);
 void followFeatures(PairReport& report, const TwoCapsules& pairs);
+void followFeatures(PairReport& report, const DiscFeatures& pairs);
 
 /// Reports the contacts of the pair if some of them are requested by key, and notes its contacts if
 /// they may close. Of a pair whose contacts jump exactly those that are requested are reported, also

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/contact/followed_features.hpp>
 #include <dynamy_elements/contacts/pairs/box_contact.hpp>
 #include <dynamy_elements/contacts/pairs/capsule_features.hpp>
 #include <dynamy_elements/contacts/pairs/round_contact.hpp>
@@ -6,10 +7,6 @@
 
 namespace dynamy {
 namespace {
-
-/// Part of a half length or radius up to which two features count beyond where another pair takes
-/// over, whose gap there differs by half of the square of this.
-constexpr double kBeyondEnd = 1e-7;
 
 double insideOf(const LineSegment& a, double s) {
   return (1.0 + kBeyondEnd) * a.half - std::abs(s);
@@ -28,11 +25,11 @@ double onCap(double radius, const Vec3& outward, const Vec3& n) {
 Vec3 outward(const LineSegment& axis, int end) { return end == 0 ? Vec3(-axis.e) : axis.e; }
 
 /// A pair that is not there.
-ContactPoint absent(const Vec3& at, double size, const Vec3& plane, double& presence) {
-  ContactPoint out;
+FollowedPair absent(const Vec3& at, double size, const Vec3& plane) {
+  FollowedPair out;
   const Vec3 n = plane.isZero(0.0) ? Vec3::UnitZ() : Vec3(plane.unitOrthogonal());
-  setDirections(out, n, Vec3::Zero(), plane);
-  out.g = size, out.P = at, presence = -size;
+  setDirections(out.at, n, Vec3::Zero(), plane);
+  out.at.g = size, out.at.P = at, out.presence = -size;
   return out;
 }
 
@@ -113,54 +110,55 @@ double CapsuleFeatures::withinCone(int i, const Vec3& n) const {
   return least;
 }
 
-ContactPoint CapsuleFeatures::end(int i, double& presence) const {
+FollowedPair CapsuleFeatures::end(int i) const {
   const RoundFeature& ball = capsule_.features[static_cast<std::size_t>(i)];
-  ContactPoint found;
+  FollowedPair out;
   bool overFace = false;
   if (body_.surface) {
     SurfaceContacts all;
     const int n = body_.surface->contacts(A_, B_, ball, kInfinity, all);
-    if (n == 0) return absent(axis_.o, axis_.half + radius_, Vec3::Zero(), presence);
+    if (n == 0) return absent(axis_.o, axis_.half + radius_, Vec3::Zero());
     const auto nearest = std::min_element(
         all.begin(), all.begin() + n,
         [](const SurfaceContact& a, const SurfaceContact& b) { return a.at.g < b.at.g; });
-    found = nearest->at;
+    out.at = nearest->at;
     overFace = nearest->id < static_cast<int>(body_.surface->faces().size());
   } else {
-    found = ballOnBox(A_, body_, B_, ball, Vec3::Zero());
+    out.at = ballOnBox(A_, body_, B_, ball, Vec3::Zero());
     const Vec3 c = R_.transpose() * (B_.r_OS_I + B_.A_IK * ball.c_K - c_);
     overFace = (c.array().abs() > body_.half.array()).count() < 2;
   }
   // Where a side lies on a face, its ends carry it.
-  presence = overFace ? FollowedFeatures::kAlways : onCap(radius_, outward(axis_, i), -found.d[0]);
-  return found;
+  out.presence =
+      overFace ? FollowedFeatures::kAlways : onCap(radius_, outward(axis_, i), -out.at.d[0]);
+  return out;
 }
 
-ContactPoint CapsuleFeatures::contact(int f, double& presence) const {
-  if (f < 2) return end(f, presence);
+FollowedPair CapsuleFeatures::pair(int f) const {
+  if (f < 2) return end(f);
   f -= 2;
+  FollowedPair out;
   if (f < edges()) {
     const Edge e = edge(f);
     const SegmentCrossing at(e.line, axis_);
-    if (at.square < kParallel) return absent(e.line.o, e.line.half, Vec3::Zero(), presence);
-    const ContactPoint found = across(e.line, 0.0, axis_, radius_, at);
-    presence = std::min({insideOf(e.line, at.s), insideOf(axis_, at.t),
-                         radius_ * (kBeyondNormals + e.within(found.d[0]))});
-    return found;
+    if (at.square < kParallel) return absent(e.line.o, e.line.half, Vec3::Zero());
+    out.at = across(e.line, 0.0, axis_, radius_, at);
+    out.presence = std::min({insideOf(e.line, at.s), insideOf(axis_, at.t),
+                             radius_ * (kBeyondNormals + e.within(out.at.d[0]))});
+    return out;
   }
   f -= edges();
   const Vec3 c = corner(f);
-  ContactPoint found =
-      overSegment(axis_, radius_, c, A_.velocity(c - A_.r_OS_I), 0.0, Vec3::Zero());
-  turnRound(found);
-  presence = std::min(insideOf(axis_, axis_.e.dot(c - axis_.o)),
-                      radius_ * (kBeyondEnd + withinCone(f, found.d[0])));
-  return found;
+  out.at = overSegment(axis_, radius_, c, A_.velocity(c - A_.r_OS_I), 0.0, Vec3::Zero());
+  turnRound(out.at);
+  out.presence = std::min(insideOf(axis_, axis_.e.dot(c - axis_.o)),
+                          radius_ * (kBeyondEnd + withinCone(f, out.at.d[0])));
+  return out;
 }
 
 void CapsuleFeatures::near(const Nearness& within, std::vector<int>& out) const {
   for (int i = 0; i < 2; ++i)
-    if (double there = 0.0; end(i, there).g <= within.reach) out.push_back(i);
+    if (end(i).at.g <= within.reach) out.push_back(i);
   const double reach = radius_ + within.reach, far = axis_.half + reach;
   for (int i = 0; i < edges(); ++i) {
     const Edge e = edge(i);
@@ -179,27 +177,28 @@ void CapsuleFeatures::near(const Nearness& within, std::vector<int>& out) const 
     if (distanceTo(axis_, corner(i)) <= reach) out.push_back(2 + edges() + i);
 }
 
-ContactPoint TwoCapsules::contact(int f, double& presence) const {
-  presence = FollowedFeatures::kAlways;
+FollowedPair TwoCapsules::pair(int f) const {
+  FollowedPair out;
   if (f == 0) {
     const SegmentCrossing at(axisA_, axisB_);
     if (at.square < kParallel || !plane_.isZero(0.0))
-      return absent(axisA_.o, std::min(a_.bound, b_.bound), plane_, presence);
-    presence = std::min(insideOf(axisA_, at.s), insideOf(axisB_, at.t));
-    return across(axisA_, a_.thickness, axisB_, b_.thickness, at);
+      return absent(axisA_.o, std::min(a_.bound, b_.bound), plane_);
+    out.at = across(axisA_, a_.thickness, axisB_, b_.thickness, at);
+    out.presence = std::min(insideOf(axisA_, at.s), insideOf(axisB_, at.t));
+    return out;
   }
   const int end = (f - 1) % 2;
   const auto number = static_cast<std::size_t>(end);
   if (f < 3) {
-    const ContactPoint out = ballOnCapsule(A_, a_, B_, b_.features[number], plane_);
-    presence = onCap(b_.thickness, outward(axisB_, end), -out.d[0]);
+    out.at = ballOnCapsule(A_, a_, B_, b_.features[number], plane_);
+    out.presence = onCap(b_.thickness, outward(axisB_, end), -out.at.d[0]);
     return out;
   }
   const Vec3 rhoA = A_.A_IK * a_.features[number].c_K, c = A_.r_OS_I + rhoA;
-  ContactPoint out = overSegment(axisB_, b_.thickness, c, A_.velocity(rhoA), a_.thickness, plane_);
-  turnRound(out);
-  presence = std::min(insideOf(axisB_, axisB_.e.dot(c - axisB_.o)),
-                      onCap(a_.thickness, outward(axisA_, end), out.d[0]));
+  out.at = overSegment(axisB_, b_.thickness, c, A_.velocity(rhoA), a_.thickness, plane_);
+  turnRound(out.at);
+  out.presence = std::min(insideOf(axisB_, axisB_.e.dot(c - axisB_.o)),
+                          onCap(a_.thickness, outward(axisA_, end), out.at.d[0]));
   return out;
 }
 

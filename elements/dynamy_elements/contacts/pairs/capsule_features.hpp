@@ -30,8 +30,7 @@ class CapsuleFeatures {
   CapsuleFeatures(const Frame& A, const TouchingShape& body, const Frame& B,
                   const TouchingShape& capsule);
   static int count(const TouchingShape& body);
-  /// Contact of the pair f and its presence [m].
-  ContactPoint contact(int f, double& presence) const;
+  FollowedPair pair(int f) const;
   /// Appends, in ascending order, the pairs that may touch while A and B move by at most `within`.
   void near(const Nearness& within, std::vector<int>& out) const;
 
@@ -48,7 +47,7 @@ class CapsuleFeatures {
   Vec3 corner(int i) const;
   /// Sine of the angle by which n lies within the normals around corner i.
   double withinCone(int i, const Vec3& n) const;
-  ContactPoint end(int i, double& presence) const;
+  FollowedPair end(int i) const;
   int edges() const;
   int corners() const;
 
@@ -74,7 +73,7 @@ class TwoCapsules {
         plane_(plane),
         axisA_(capsuleAxis(A, a)),
         axisB_(capsuleAxis(B, b)) {}
-  ContactPoint contact(int f, double& presence) const;
+  FollowedPair pair(int f) const;
   void near(const Nearness& within, std::vector<int>& out) const;
 
  private:

@@ -115,7 +115,7 @@ struct SideLine {
 }  // namespace
 
 bool sideOnSide(const DiscBody& A, const DiscBody& B, const Vec3& towards, double& sA, double& sB,
-                ContactPoint& out) {
+                ContactPoint& out, double parallel) {
   // n = x a_A + y b + z b × a_A, b = −a_B; z follows from |n| = 1.
   const Vec3 b = -B.a, third = b.cross(A.a);
   const double sineA = A.sine(), sineB = B.sine(), along = A.a.dot(b);
@@ -134,7 +134,7 @@ bool sideOnSide(const DiscBody& A, const DiscBody& B, const Vec3& towards, doubl
                                        -n.dot(B.frame->Omega_I.cross(b)), 0.0);
   const SideLine a(A, n, ndot), of(B, -n, -ndot);
   const double c = a.g.dot(of.g), det = 1.0 - c * c;
-  if (!(det > kCross * kCross)) return false;
+  if (!(det > parallel)) return false;
 
   // d ⟂ both lines: closest points.
   const Vec3 way = of.p - a.p;
@@ -151,10 +151,10 @@ bool sideOnSide(const DiscBody& A, const DiscBody& B, const Vec3& towards, doubl
 }
 
 bool lineOnSide(const DiscBody& B, const Frame& frame, const Vec3& o, const Vec3& t,
-                const Vec3& towards, double& s, double& sLine, ContactPoint& out) {
+                const Vec3& towards, double& s, double& sLine, ContactPoint& out, double parallel) {
   DiscBody line;
   line.frame = &frame, line.c = o, line.a = t;
-  return sideOnSide(line, B, -towards, sLine, s, out);
+  return sideOnSide(line, B, -towards, sLine, s, out, parallel);
 }
 
 }  // namespace dynamy

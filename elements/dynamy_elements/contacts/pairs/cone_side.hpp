@@ -11,6 +11,7 @@
 /// side, or from m·t = 0.
 #pragma once
 #include <dynamy_elements/contacts/pairs/disc_body.hpp>
+#include <dynamy_elements/contacts/pairs/facets.hpp>
 
 namespace dynamy {
 
@@ -27,16 +28,17 @@ bool circleOnSide(const DiscBody& B, BodyCurve circle, double& s, ContactPoint& 
 ContactPoint ballOnCone(const DiscBody& A, const Frame& B, const RoundFeature& ball);
 
 /// Contact of the sides of A and B, with the normal nearest to `towards`, which
-/// points away from A; false: their lines are parallel. `sA`, `sB`: positions on the
-/// lines, from rim 0 along the axes [m].
+/// points away from A; false: their lines are parallel, with a sine whose square is not above
+/// `parallel`. `sA`, `sB`: positions on the lines, from rim 0 along the axes [m].
 bool sideOnSide(const DiscBody& A, const DiscBody& B, const Vec3& towards, double& sA, double& sB,
-                ContactPoint& out);
+                ContactPoint& out, double parallel = kCross * kCross);
 
 /// Contact of the line through o along t, fixed in `frame`, with the side of B, with the normal
 /// nearest to `towards`, which points away from B. False: the line is parallel to a line of the
 /// side. `s`: as in pointOnSide; `sLine`: position on the line, from o [m]. The normal of `out`
 /// points from the line to B.
 bool lineOnSide(const DiscBody& B, const Frame& frame, const Vec3& o, const Vec3& t,
-                const Vec3& towards, double& s, double& sLine, ContactPoint& out);
+                const Vec3& towards, double& s, double& sLine, ContactPoint& out,
+                double parallel = kCross * kCross);
 
 }  // namespace dynamy

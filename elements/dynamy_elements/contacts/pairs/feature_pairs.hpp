@@ -24,6 +24,19 @@ namespace dynamy {
 /// more than rounding and drift turn faces that lie on each other.
 inline constexpr double kBeyondNormals = 0.05;
 
+/// Part of a half length or radius up to which features of round bodies count beyond where another
+/// pair takes over, whose gap there differs by half of the square of this.
+inline constexpr double kBeyondEnd = 1e-7;
+
+/// A pair of features at its place.
+struct FollowedPair {
+  ContactPoint at;
+  double presence = 0.0;  ///< [m]
+  /// Of the lowest point of a rim that lies nearly flat: by how much it is below its middle [m]; −1:
+  /// it is none.
+  double circle = -1.0;
+};
+
 /// How far and by which angle two bodies may move relative to each other before
 /// their features are searched again.
 struct Nearness {

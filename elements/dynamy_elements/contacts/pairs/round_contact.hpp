@@ -3,6 +3,7 @@
 ///   ball, capsule      g = |c − p| − R_A − R_B     p of the axis, nearest to c
 ///   capsule, capsule   ends of each on the other, and where their axes cross
 ///   ball, cylinder     g = |c − p| − R             p of the cylinder, nearest to c
+///   ball, torus        g = |c − p| − r − R         p of the disc, nearest to c
 ///   box, capsule       ends on the box; corners and edges of the box on the axis
 ///
 /// Each contact is a pair of features with a number that stays the same. Its gap, normal
@@ -29,6 +30,10 @@ ContactPoint ballOnCapsule(const Frame& A, const TouchingShape& capsule, const F
 /// inside, the nearest face counts.
 ContactPoint ballOnCylinder(const Frame& A, const TouchingShape& cylinder, const Frame& B,
                             const RoundFeature& ball);
+
+/// Contact of a round feature of B with the torus A, in space, whose hole is closed.
+ContactPoint ballOnTorus(const Frame& A, const TouchingShape& torus, const Frame& B,
+                         const RoundFeature& ball);
 
 /// Contacts of two capsules, from A to B; returns how many.
 int betweenCapsules(const Frame& A, const TouchingShape& a, const Frame& B, const TouchingShape& b,

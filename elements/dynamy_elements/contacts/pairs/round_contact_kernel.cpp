@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy_elements/contacts/pairs/disc_body.hpp>
 #include <dynamy_elements/contacts/pairs/round_contact.hpp>
 #include <dynamy_elements/contacts/pairs/segments.hpp>
 
@@ -82,6 +83,32 @@ int capsuleOnBox(const Frame& A, const TouchingShape& box, const Frame& B,
   return static_cast<int>(n);
 }
 
+namespace {
+
+/// Contact of a ball about c, with velocity v, with the flat side of a round body at the height
+/// `half` over the middle of its axis, on the side ±1.
+ContactPoint overCap(const LineSegment& axis, double side, double half, const Vec3& c,
+                     const Vec3& v, double R) {
+  ContactPoint out;
+  const Vec3 n = side * axis.e;
+  setDirections(out, n, side * axis.edot, Vec3::Zero());
+  out.g = side * axis.e.dot(c - axis.o) - half - R;
+  out.P = c - R * n, out.Pdot = v - R * side * axis.edot;
+  return out;
+}
+
+/// Contact of such a ball with a rim of radius rho around `middle`, with a tube of radius r.
+/// `beside`: its contact with the axis.
+ContactPoint overRim(const LineSegment& axis, const Vec3& middle, double rho, double r,
+                     const ContactPoint& beside, const Vec3& c, const Vec3& v, double R) {
+  // The rim's point p turns with the direction from the axis to c.
+  const Vec3 e = beside.d[0], p = middle + rho * e;
+  const Vec3 pdot = axis.velocity(middle) + rho * beside.ddot[0];
+  return fromWay(c - p, v - pdot, r, R, p, pdot, e, Vec3::Zero());
+}
+
+}  // namespace
+
 ContactPoint ballOnCylinder(const Frame& A, const TouchingShape& cylinder, const Frame& B,
                             const RoundFeature& ball) {
   const double R = cylinder.half.x(), half = cylinder.half.z();
@@ -93,21 +120,24 @@ ContactPoint ballOnCylinder(const Frame& A, const TouchingShape& cylinder, const
   const double r = (c - foot).norm();
   const bool outside = r > R, above = beyond > 0.0;
   // The ball is over a face, or inside and nearest to a face.
-  if (above ? !outside || r - R < kOnEdge * R : !outside && beyond > r - R) {
-    ContactPoint out;
-    const Vec3 n = side * axis.e;
-    setDirections(out, n, side * axis.edot, none);
-    out.g = beyond - ball.radius;
-    out.P = c - ball.radius * n, out.Pdot = v - ball.radius * side * axis.edot;
-    return out;
-  }
+  if (above ? !outside || r - R < kOnEdge * R : !outside && beyond > r - R)
+    return overCap(axis, side, half, c, v, ball.radius);
   ContactPoint beside = overSegment(axis, R, c, v, ball.radius, none);
   if (!above || beyond < kOnEdge * half) return beside;
-  // Contact with the rim: its point p turns with the direction from the axis to c.
-  const Vec3 e = beside.d[0], edot = beside.ddot[0];
-  const Vec3 top = axis.o + side * half * axis.e, p = top + R * e;
-  const Vec3 pdot = axis.velocity(top) + R * edot;
-  return fromWay(c - p, v - pdot, 0.0, ball.radius, p, pdot, e, none);
+  const Vec3 top = axis.o + side * half * axis.e;
+  return overRim(axis, top, R, 0.0, beside, c, v, ball.radius);
+}
+
+ContactPoint ballOnTorus(const Frame& A, const TouchingShape& torus, const Frame& B,
+                         const RoundFeature& ball) {
+  const DiscBody disc = discBody(A, torus);
+  const LineSegment axis(A, disc.c, disc.a, 0.0);
+  const Vec3 rhoB = B.A_IK * ball.c_K, c = B.r_OS_I + rhoB, v = B.velocity(rhoB);
+  const Vec3 way = c - axis.o;
+  if (disc.acrossAxis(way).norm() <= disc.rho)
+    return overCap(axis, axis.e.dot(way) < 0.0 ? -1.0 : 1.0, disc.r, c, v, ball.radius);
+  const ContactPoint beside = overSegment(axis, 0.0, c, v, ball.radius, Vec3::Zero());
+  return overRim(axis, axis.o, disc.rho, disc.r, beside, c, v, ball.radius);
 }
 
 }  // namespace dynamy

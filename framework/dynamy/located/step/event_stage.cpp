@@ -81,10 +81,17 @@ Refusal EventStage::decideAnew(LocatedStep& step, PhasePoint& p) {
   return event(step, p);
 }
 
+Refusal EventStage::start(LocatedStep& step, PhasePoint& p) {
+  parts_.event.start();
+  return decideAnew(step, p);
+}
+
 Refusal EventStage::decide(LocatedStep& step, PhasePoint& p, const Switch& w) {
   release(w);
   SwitchSearch& search = parts_.search;
   if (search.leaves(w)) parts_.event.leave(search.contact(parts_.motion.phase, w));
+  if (w.kind == Switch::Kind::atStart && search.is(w, KinematicMonitor::Kind::gap))
+    parts_.event.close(search.contact(parts_.motion.phase, w));
   if (search.latches(w))
     if (Refusal r = throwLatch(step, p)) return r;
   return event(step, p);

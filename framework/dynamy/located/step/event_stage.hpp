@@ -18,6 +18,8 @@ class EventStage {
   Refusal decide(LocatedStep& step, PhasePoint& p, const Switch& w);
   /// Decides the statuses at p anew, with no switch.
   Refusal decideAnew(LocatedStep& step, PhasePoint& p);
+  /// The same at the start of a run.
+  Refusal start(LocatedStep& step, PhasePoint& p);
 
   /// Time from step.from until right before the next instant at which an element jumps as a
   /// function of time [s]; that instant is instant().

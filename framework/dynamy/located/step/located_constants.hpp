@@ -25,10 +25,11 @@ struct TrialConstants {
 struct EventConstants {
   /// Part of the step that decisions look ahead: at first, and at most after empty events.
   static constexpr double lookAhead = 1e-5, mostLookAhead = 1e-2;
-  static constexpr double atOnce = 1e-6;   ///< of the step: events this close are at one instant
-  static constexpr int mostEmpty = 5;      ///< empty events at one instant
-  static constexpr double rapid = 1e-7;    ///< of T: the textbook's events this close have no end
-  static constexpr double ignored = 1e-3;  ///< of the step: monitors are ignored for this time
+  static constexpr double atOnce = 1e-6;     ///< of the step: events this close are at one instant
+  static constexpr int mostEmpty = 5;        ///< empty events at one instant
+  static constexpr long mostImpacts = 2000;  ///< that follow each other within one step
+  static constexpr double rapid = 1e-7;      ///< of T: the textbook's events this close have no end
+  static constexpr double ignored = 1e-3;    ///< of the step: monitors are ignored for this time
   /// Speeds below this part of L per second are no impact, as for schemes with fixed steps [1/s].
   static constexpr double impactFloor = 1e-9;
 };

@@ -32,11 +32,14 @@ Refusal LocatedMotion::advance(MechanicalSystem& s, InclusionSolver& solver, con
   parts_.probe.looks = {};
   Refusal refusal = enter(step, x, start);
   if (parts_.settings.givenSteps) parts_.pace.next = dt;
-  for (int tries = 0; !refusal && !done; ++tries) {
+  const long impacts = report.counts.impacts;
+  for (long tries = 0; !refusal && !done; ++tries) {
     if (s.limits.stop != nullptr && s.limits.stop->load(std::memory_order_relaxed))
       return {Refusal::Kind::fault, "the run is stopped within this step"};
-    refusal =
-        tries < TrialConstants::most ? proceed(step, x.t + dt - from_.x.t, done) : step.stall();
+    // Bodies between others that touch on both sides hit them in turn, and lose speed.
+    const long hits = std::min<long>(report.counts.impacts - impacts, EventConstants::mostImpacts);
+    refusal = tries < TrialConstants::most + hits ? proceed(step, x.t + dt - from_.x.t, done)
+                                                  : step.stall();
   }
   lastSwitched_ = step.lastSwitched;
   report.counts.effort.looks += parts_.probe.looks.whole;
@@ -100,7 +103,7 @@ Refusal LocatedMotion::begin(LocatedStep& step, const State& x, bool scaled) {
   motion.implicit(settings.stiff == StiffSteps::always, s, parts_.norm);
   from_.a.setZero(from_.x.u.size());
   parts_.pace = {TrialConstants::firstStep * parts_.norm.time(), EventConstants::lookAhead};
-  Refusal refusal = events_.decideAnew(step, from_);
+  Refusal refusal = scaled ? events_.decideAnew(step, from_) : events_.start(step, from_);
   step.book(&StepEffort::events);
   return refusal;
 }

@@ -36,8 +36,10 @@ bool EventContacts::leaves(const ContactGaps& gaps, int i, double length) const 
 
 bool EventContacts::touches(const ContactGaps& gaps, int i, const OngoingEvent& at) const {
   const double gap = gaps.gap(i), deep = kDeep * at.norm.tolerance(), length = at.norm.length();
-  if (!gaps.law(i).unilateral() || gap > kTouch * length || gaps.gamma(i) > at.restSpeed())
-    return false;
+  if (!gaps.law(i).unilateral() || gap > kTouch * length) return false;
+  const bool closes = gaps.key(i) == at.closes && gap >= -kTouch * length,
+             overlaps = at.starts && gap < -kTouch * length;
+  if (gaps.gamma(i) > at.restSpeed() && !closes && !overlaps) return false;
   // Features with a deeper overlap are on the far side of a body.
   return !gaps.comesAndGoes(i) || (!leaves(gaps, i, length) && gap >= -deep * length);
 }

@@ -47,8 +47,10 @@ bool KinematicSearch::sample(ContactProbe& probe, const QuinticPath& path) {
 
 bool KinematicSearch::find(ContactProbe& probe, const QuinticPath& path, bool looked,
                            Switch& first) {
-  for (int m = 0; m < monitors.size(); ++m)
+  for (int m = 0; m < monitors.size(); ++m) {
+    if (!looked) untilItCloses(m, first);
     if (!findOf(probe, path, m, first)) return false;
+  }
   for (int m = 0; m < monitors.size() && !looked; ++m)
     if (!near(probe, path, m, first)) return false;
   return true;
@@ -163,12 +165,35 @@ bool KinematicSearch::atEnd(ContactProbe& probe, const QuinticPath& path, int mo
   return true;
 }
 
+/// True: an overlap that becomes smaller at the start, in which no contact is held.
+bool KinematicSearch::separates(int monitor) const {
+  const KinematicMonitor& k = monitors[monitor];
+  return k.isGap() && !k.features && values_(monitor, 0) < -k.noise &&
+         rates_(monitor, 0) > monitors.limits().speedNoise;
+}
+
+/// Such a gap closes where it falls again before it is positive: a step that ends there finds it at
+/// the start of the next one.
+void KinematicSearch::untilItCloses(int monitor, Switch& first) const {
+  if (!separates(monitor)) return;
+  for (int j = 1; j <= kSamples && values_(monitor, j) < 0.0; ++j) {
+    const double theta = static_cast<double>(j) / kSamples;
+    if (theta >= first.theta) return;
+    if (rates_(monitor, j) < 0.0) {
+      first = {Switch::Kind::look, theta, false, monitor, 0.0};
+      return;
+    }
+  }
+}
+
 bool KinematicSearch::findOf(ContactProbe& probe, const QuinticPath& path, int monitor,
                              Switch& first) {
   const KinematicMonitor& k = monitors[monitor];
-  // A gap that starts behind the plane of its feature has to become positive first.
+  // A gap that starts behind the plane of its feature, or separates, has to become positive first.
+  const bool apart = separates(monitor);
   const auto falls = [&](int j) {
-    const bool before = !k.features || values_(monitor, j - 1) > 0.0 || (j == 1 && k.zeroStart);
+    const bool before =
+        values_(monitor, j - 1) > 0.0 || (!apart && (!k.features || (j == 1 && k.zeroStart)));
     return before && values_(monitor, j) < -k.noise && mayBePresent(monitor, j);
   };
   for (int j = 1; j <= kSamples; ++j) {
@@ -201,8 +226,11 @@ bool KinematicSearch::fall(ContactProbe& probe, const QuinticPath& path, int mon
   double fb = values_(monitor, j), fa = values_(monitor, j - 1);
   if (j == 1 && k.zeroStart) {
     Bracket at{a, fa, b, fb};
+    // Bodies between others hit them in turn: what is left of the gap is rounding.
+    const bool closes =
+        k.isGap() && fa <= k.noise && rates_(monitor, 0) < -monitors.limits().speedNoise;
     bool positive = false;
-    if (!fromZero(probe, path, monitor, at, positive)) return false;
+    if (!closes && !fromZero(probe, path, monitor, at, positive)) return false;
     if (!positive) {
       if (!presentAt(probe, path, monitor, 0.0, there)) return false;
       if (there) first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
@@ -242,7 +270,7 @@ bool KinematicSearch::staysHigh(const QuinticPath& path, int monitor, int j, dou
 
 bool KinematicSearch::near(ContactProbe& probe, const QuinticPath& path, int monitor,
                            Switch& first) {
-  if (!monitors[monitor].isGap()) return true;
+  if (!monitors[monitor].isGap() || separates(monitor)) return true;
   for (int j = 0; j < kSamples; ++j) {
     double a = static_cast<double>(j) / kSamples, b = a + 1.0 / kSamples;
     if (a >= first.theta) return true;

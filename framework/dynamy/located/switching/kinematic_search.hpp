@@ -37,6 +37,8 @@ class KinematicSearch {
                  bool& there);
   bool refine(ContactProbe& probe, const QuinticPath& path, int monitor, Bracket& at, double& root,
               double& slope);
+  bool separates(int monitor) const;
+  void untilItCloses(int monitor, Switch& first) const;
   bool findOf(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
   /// Halves [0, b] until the monitor, which starts at zero, is positive in its middle: at [a, b].
   bool fromZero(ContactProbe& probe, const QuinticPath& path, int monitor, Bracket& at,

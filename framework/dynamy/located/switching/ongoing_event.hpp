@@ -22,6 +22,9 @@ struct OngoingEvent {
   PhasePoint& p;  ///< the event changes p.x and p.a
   EventResult& result;
   const PhaseRequest& request;  ///< of the phase that ends
+  /// A contact that closes at once, although it may separate at the instant.
+  ContactKey closes = kNoContact;
+  bool starts = false;  ///< the run begins: bodies inside each other are pushed apart
 
   /// Evaluates x with exactly these contacts (ascending). `alone`: HeldContacts::alone.
   const Evaluation& evaluate(const State& x, std::span<const ContactKey> keys, int slot = 0,

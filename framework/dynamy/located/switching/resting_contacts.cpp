@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kZeno = 0.1;  ///< z: heights below z tol L count as zero
 constexpr double kZenoFloor = 1e-12;
+/// Of L: the same for a contact that nothing has hit, whose gap is below zero by rounding.
+constexpr double kRounding = 2e-14;
 constexpr int kMostOffered = 16;  ///< most rows of a contact, also of laws that are refused
 
 bool has(const std::vector<ContactKey>& keys, ContactKey key) {
@@ -74,12 +76,13 @@ bool RestingContacts::findClosed(OngoingEvent& at, const EventImpact& impact,
     const double v = gamma_[c.row0[i]];
     if (!(v > impact.leaves())) continue;
     const double back = closing(c, i, at.p.a);
-    if (!(back > 0.0 && v * v <= 2.0 * back * height)) continue;
     // A contact that rebounds takes the impact once more without rebound; others are projected.
     const std::vector<Percussion>& hits = impact.percussions();
     const auto hit = std::find_if(hits.begin(), hits.end(),
                                   [&](const Percussion& q) { return q.key == c.key[i]; });
     const bool struck = hit != hits.end() && hit->gammaMinus[0] < -impact.leaves();
+    const double most = c.key[i] == at.closes && !struck ? kRounding * at.norm.length() : height;
+    if (!(back > 0.0 && v * v <= 2.0 * back * most)) continue;
     double epsilon[kMostOffered] = {};
     c.law[i]->epsilon(c.dim(static_cast<int>(i)), epsilon);
     if (struck && epsilon[0] > 0.0 && !has(plastic_, c.key[i]))
@@ -94,6 +97,16 @@ bool RestingContacts::findClosed(OngoingEvent& at, const EventImpact& impact,
     any = true, ++at.result.accumulations;
   }
   return any;
+}
+
+bool RestingContacts::close(const OngoingEvent& at, const EventImpact& impact) {
+  const ContactSet& c = at.s.slot(0).contacts;
+  const auto found = std::find(c.key.begin(), c.key.end(), at.closes);
+  if (found == c.key.end() || has(shut_, at.closes)) return false;
+  if (gamma_[c.row0[static_cast<std::size_t>(found - c.key.begin())]] > impact.leaves())
+    return false;
+  shut_.push_back(at.closes);
+  return true;
 }
 
 bool RestingContacts::findInNotch(OngoingEvent& at, const Eigen::VectorXd& aBefore,

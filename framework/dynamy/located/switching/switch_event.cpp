@@ -32,7 +32,7 @@ bool SwitchEvent::begin(OngoingEvent& at, ContactProbe& probe, const std::vector
   impact_.clear(), resting_.clear();
   if (probe.gaps().comeAndGo()) projectHeld(at, held);
   const bool known = contacts_.find(probe, held, left_, at);
-  left_ = kNoContact;
+  left_ = closes_ = kNoContact, starts_ = false;
   if (!known) {
     at.result.fault = ContactProbe::kUnfollowed;
     return false;
@@ -68,7 +68,7 @@ bool SwitchEvent::settle(OngoingEvent& at, const std::vector<Held>& old, double 
     if (plain_ || turn == kMostDecisions) return true;
     const bool closed = resting_.findClosed(at, impact_, next_.held),
                rests = resting_.findInNotch(at, aBefore_, old, next_.held);
-    if (!closed && !rests) return true;
+    if (!closed && !rests && !(same && resting_.close(at, impact_))) return true;
   }
 }
 
@@ -89,7 +89,7 @@ EventResult SwitchEvent::process(MechanicalSystem& s, InclusionSolver& solver, C
                                  FrozenPhase& phase, PhasePoint& p, const SmoothStep& smooth,
                                  double lookAhead, const std::vector<HeldKey>& stopped) {
   EventResult r;
-  OngoingEvent at{s, solver, *norm_, p, r, phase.request};
+  OngoingEvent at{s, solver, *norm_, p, r, phase.request, closes_, starts_};
   next_.request = phase.request;
   if (!begin(at, probe, phase.held)) return r;
   if (!settle(at, phase.held, lookAhead, stopped) || !accelerateAlone(at)) {

@@ -25,6 +25,10 @@ class SwitchEvent {
   void release(ContactKey key, double direction) { released_ = {key, direction}; }
   /// Excludes contact `key` from the next event, since its features leave one another.
   void leave(ContactKey key) { left_ = key; }
+  /// The next event: this contact closes at once, although it may separate at the instant.
+  void close(ContactKey key) { closes_ = key; }
+  /// The next event is the first of a run.
+  void start() { starts_ = true; }
   /// Processes the event at p.x: changes p.x, `phase` and p (accelerations under the new status).
   /// `lookAhead`: h_s; `stopped`: parts whose slip ends here whatever speed is left. Slot 0 is left
   /// evaluated at p.x with all contacts that took part.
@@ -45,7 +49,8 @@ class SwitchEvent {
   const ErrorNorm* norm_ = nullptr;
   bool plain_ = false;
   StatusDecision::Release released_;
-  ContactKey left_ = kNoContact;
+  ContactKey left_ = kNoContact, closes_ = kNoContact;
+  bool starts_ = false;
   EventContacts contacts_;
   EventProjection projection_;
   EventImpact impact_;

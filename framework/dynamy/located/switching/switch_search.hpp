@@ -41,6 +41,10 @@ class SwitchSearch {
   ContactKey contact(const FrozenPhase& phase, const Switch& w) const;
   /// True: an element switches there (Announcements).
   bool latches(const Switch& w) const { return is(w, KinematicMonitor::Kind::latch); }
+  /// True: a monitor of this kind switches there.
+  bool is(const Switch& w, KinematicMonitor::Kind kind) const {
+    return w && !w.force && kinematic_.monitors[w.monitor].kind == kind;
+  }
   /// True: two features of a closed contact leave one another there.
   bool leaves(const Switch& w) const { return is(w, KinematicMonitor::Kind::presence); }
   /// True: the gap of two features that come and go.
@@ -65,9 +69,6 @@ class SwitchSearch {
   void forget(double t) { force_.forget(t); }
 
  private:
-  bool is(const Switch& w, KinematicMonitor::Kind kind) const {
-    return w && !w.force && kinematic_.monitors[w.monitor].kind == kind;
-  }
   KinematicSearch kinematic_;
   ForceSearch force_;
 };
