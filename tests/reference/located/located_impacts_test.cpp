@@ -198,5 +198,27 @@ TEST(LocatedImpacts, ABounceBelowRoundingOfItsGapComesToRest) {
   EXPECT_EQ(run.state().u[2], 0.0);
 }
 
+TEST(LocatedImpacts, BodiesThatStartInsideEachOtherArePushedApartAtOnce) {
+  // The second ball is inside the first one and separates from it; pushed away by half of the overlap, it
+  // is inside the third one, from which it separates, too. Each is pushed by as much as the next:
+  // centres 2 m apart, and the centre of mass where it was.
+  LocatedRun run(R"(<dynamy version="1"><systems>
+    <RigidBody name="a" position="0 0 0" velocity="-1 0 0"><Sphere radius="1" mass="1" material="a"/></RigidBody>
+    <RigidBody name="b" position="1 0 0"><Sphere radius="1" mass="1" material="a"/></RigidBody>
+    <RigidBody name="c" position="3.05 0 0" velocity="1 0 0"><Sphere radius="1" mass="1" material="a"/></RigidBody>
+    </systems><elements><Contact between="a a"><UnilateralCoulomb mu="0" epsilonN="0"/></Contact></elements>
+    <simulation until="1" step="1"/></dynamy>)",
+                 1e-6, 1e-3);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_EQ(r.stepping.periods, 0);
+  const Eigen::VectorXd& q = run.state().q;
+  const double a = q[0], b = q[7], c = q[14];
+  // After 1 ms of separation at 1 m/s; positions are projected to 1e-10 L.
+  EXPECT_NEAR(b - a, 2.001, 1e-9);
+  EXPECT_NEAR(c - b, 2.001, 1e-9);
+  EXPECT_NEAR(a + b + c, 4.05, 1e-9);
+}
+
 }  // namespace
 }  // namespace dynamy::reference

@@ -26,6 +26,9 @@ bool EventContacts::find(ContactProbe& probe, const std::vector<Held>& held, Con
   if (probe.gaps().comeAndGo()) leaveOneOfEach(gaps, held, length);
   keys_.clear();
   for (const int i : taking_) keys_.push_back(gaps.key(i));
+  overlap_ = std::any_of(taking_.begin(), taking_.end(), [&](int i) {
+    return gaps.law(i).unilateral() && gaps.gap(i) < -kTouch * length;
+  });
   std::sort(keys_.begin(), keys_.end());
   return true;
 }
@@ -37,9 +40,8 @@ bool EventContacts::leaves(const ContactGaps& gaps, int i, double length) const 
 bool EventContacts::touches(const ContactGaps& gaps, int i, const OngoingEvent& at) const {
   const double gap = gaps.gap(i), deep = kDeep * at.norm.tolerance(), length = at.norm.length();
   if (!gaps.law(i).unilateral() || gap > kTouch * length) return false;
-  const bool closes = gaps.key(i) == at.closes && gap >= -kTouch * length,
-             overlaps = at.starts && gap < -kTouch * length;
-  if (gaps.gamma(i) > at.restSpeed() && !closes && !overlaps) return false;
+  const bool closes = gaps.key(i) == at.closes && gap >= -kTouch * length;
+  if (gaps.gamma(i) > at.restSpeed() && !closes && !at.starts) return false;
   // Features with a deeper overlap are on the far side of a body.
   return !gaps.comesAndGoes(i) || (!leaves(gaps, i, length) && gap >= -deep * length);
 }

@@ -21,6 +21,8 @@ class EventContacts {
             const OngoingEvent& at);
   /// Drops contacts that joints bear, evaluated in slot 0 at the event; evaluates the rest there.
   void leaveToJoints(OngoingEvent& at);
+  /// True: some of them overlap by more than rounding.
+  bool overlap() const { return overlap_; }
   /// Their keys, ascending.
   const std::vector<ContactKey>& keys() const { return keys_; }
 
@@ -28,6 +30,7 @@ class EventContacts {
   bool leaves(const ContactGaps& gaps, int i, double length) const;
   bool touches(const ContactGaps& gaps, int i, const OngoingEvent& at) const;
   void leaveOneOfEach(const ContactGaps& gaps, const std::vector<Held>& held, double length);
+  bool overlap_ = false;
   ContactKey left_;
   std::vector<ContactKey> keys_, held_, borne_;
   std::vector<int> taking_, alike_;  // contacts of the probe; one of each place

@@ -5,6 +5,7 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostDecisions = 12;
+constexpr int kMostPushes = 20;
 
 /// True: some status has changed.
 bool differ(const std::vector<Held>& a, const std::vector<Held>& b) {
@@ -31,15 +32,27 @@ bool SwitchEvent::begin(OngoingEvent& at, ContactProbe& probe, const std::vector
   State& x = at.p.x;
   impact_.clear(), resting_.clear();
   if (probe.gaps().comeAndGo()) projectHeld(at, held);
-  const bool known = contacts_.find(probe, held, left_, at);
-  left_ = closes_ = kNoContact, starts_ = false;
+  const auto gather = [&] {
+    const bool known = contacts_.find(probe, held, left_, at);
+    if (!known) return false;
+    at.evaluate(x, contacts_.keys(), 0, true);
+    contacts_.leaveToJoints(at);
+    projection_.positions(at, contacts_.keys(), held);
+    return true;
+  };
+  bool known = true;
+  // Bodies that are pushed apart at the start may be pushed into others. Those that separate are
+  // pushed, too, but have no impact.
+  for (int pushes = 0; known && at.starts; ++pushes) {
+    known = gather();
+    at.starts = contacts_.overlap() && pushes < kMostPushes;
+  }
+  known = known && gather();
+  left_ = kNoContact;
   if (!known) {
     at.result.fault = ContactProbe::kUnfollowed;
     return false;
   }
-  at.evaluate(x, contacts_.keys(), 0, true);
-  contacts_.leaveToJoints(at);
-  projection_.positions(at, contacts_.keys(), held);
   projection_.velocities(at.s, held, x);
   uBefore_ = x.u, aBefore_ = at.p.a;
   return true;
@@ -90,6 +103,7 @@ EventResult SwitchEvent::process(MechanicalSystem& s, InclusionSolver& solver, C
                                  double lookAhead, const std::vector<HeldKey>& stopped) {
   EventResult r;
   OngoingEvent at{s, solver, *norm_, p, r, phase.request, closes_, starts_};
+  closes_ = kNoContact, starts_ = false;
   next_.request = phase.request;
   if (!begin(at, probe, phase.held)) return r;
   if (!settle(at, phase.held, lookAhead, stopped) || !accelerateAlone(at)) {

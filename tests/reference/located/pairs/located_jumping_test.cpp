@@ -119,8 +119,9 @@ void expectTheSameEnds(unsigned last) {
   const Ends ends = fly(0, last);
   EXPECT_TRUE(ends.elsewhere.empty());
   EXPECT_TRUE(ends.endless.empty());
-  // Of 1000 flights 81 were stepped in time and told; 75 of these are plastic.
-  EXPECT_LE(ends.told, static_cast<int>(last) / 8);
+  // Of 1000 flights 39 are stepped in time and told, 14 of the first 300: most are plastic, of round
+  // bodies with each other.
+  EXPECT_LE(ends.told, static_cast<int>(last) / 16);
 }
 
 TEST(LocatedJumping, FlightsEndAsWithATighterTolerance) { expectTheSameEnds(300); }
