@@ -35,6 +35,46 @@ Vec3 outOf(const PlacedPolyhedron& A, int edge) {
   return A.R * (A.of->face(e.f).n + A.of->face(e.g).n);
 }
 
+/// A function of an angle at a place, and its rate.
+struct Slope {
+  double angle, value, rate;
+};
+
+/// Does f(angle) rise through zero between l and r? Two places may come together between them: then
+/// f has an extremum there, on the other side of zero. If so, l and r become a bracket.
+template <class F>
+bool risesThroughZero(const F& f, Slope& l, Slope& r) {
+  if (l.value < 0.0 && r.value >= 0.0) return true;
+  const bool positive = l.value > 0.0;
+  if (!(l.value * r.value > 0.0) || (l.rate < 0.0) != positive || (r.rate > 0.0) != positive)
+    return false;
+  double from = l.angle, to = r.angle;
+  for (int k = 0; k < kMostHalvings && to - from > 1e-12; ++k) {
+    const Slope m = f(0.5 * (from + to));
+    if (m.value * l.value < 0.0) {
+      (positive ? l : r) = m;
+      return true;
+    }
+    ((m.rate < 0.0) == positive ? from : to) = m.angle;
+  }
+  return false;
+}
+
+/// The root of f between l and r, where it is below and above zero.
+template <class F>
+double rootBetween(const F& f, Slope l, Slope r) {
+  for (int k = 0; k < kMostHalvings && r.angle - l.angle > 1e-16; ++k) {
+    const double secant = (l.angle * r.value - r.angle * l.value) / (r.value - l.value);
+    const double m =
+        k % 3 == 2 || !(secant > l.angle && secant < r.angle) ? 0.5 * (l.angle + r.angle) : secant;
+    if (!(m > l.angle && m < r.angle)) break;
+    const Slope at = f(m);
+    if (at.value == 0.0) return m;
+    (at.value < 0.0 ? l : r) = at;
+  }
+  return std::abs(l.value) < std::abs(r.value) ? l.angle : r.angle;
+}
+
 }  // namespace
 
 DiscFeatures::DiscFeatures(const PlacedPolyhedron& A, const DiscBody& B, double flat)
@@ -237,30 +277,21 @@ DiscFeatures::Nearest DiscFeatures::nearest(const PlacedEdge& e, int rim) const 
   const double rho = B_.radius(rim);
   const auto slope = [&](double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
-    const Vec3 way = middle - e.o + rho * (c * X + s * Y), t = c * Y - s * X;
-    return (way - e.e.dot(way) * e.e).dot(t);
+    const Vec3 out = c * X + s * Y, t = c * Y - s * X, way = middle - e.o + rho * out;
+    const Vec3 d = way - e.e.dot(way) * e.e;
+    const double along = e.e.dot(t);
+    return Slope{angle, d.dot(t), rho * (1.0 - along * along) - d.dot(out)};
   };
   Nearest out;
   const double width = 2.0 * std::numbers::pi / kPlaces;
-  double fa = slope(0.0);
-  for (int i = 0; i < kPlaces && out.count < 2; ++i) {
-    double a = i * width, b = a + width, left = fa;
-    double fb = slope(b);
-    fa = fb;
-    if (!(left < 0.0 && fb >= 0.0)) continue;
-    for (int k = 0; k < kMostHalvings && b - a > 1e-16; ++k) {
-      const double secant = (a * fb - b * left) / (fb - left);
-      const double m = k % 3 == 2 || !(secant > a && secant < b) ? 0.5 * (a + b) : secant;
-      if (!(m > a && m < b)) break;
-      const double f = slope(m);
-      if (f == 0.0) {
-        a = b = m;
-        break;
-      }
-      (f < 0.0 ? a : b) = m, (f < 0.0 ? left : fb) = f;
+  Slope a = slope(0.0);
+  for (int i = 1; i <= kPlaces && out.count < 2; ++i) {
+    const Slope b = slope(i * width);
+    if (Slope l = a, r = b; risesThroughZero(slope, l, r)) {
+      const double at = rootBetween(slope, l, r);
+      out.at[out.count++] = B_.rim(rim, std::cos(at) * X + std::sin(at) * Y);
     }
-    const double at = std::abs(left) < std::abs(fb) ? a : b;
-    out.at[out.count++] = B_.rim(rim, std::cos(at) * X + std::sin(at) * Y);
+    a = b;
   }
   return out;
 }
