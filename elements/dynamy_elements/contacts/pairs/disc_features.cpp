@@ -14,6 +14,7 @@ constexpr int kRimPoints = 8, kOfCorner = 5, kOfEdge = 6;
 /// Sine of the tilt below which a rim has no lowest point.
 constexpr double kLevelRim = 1e-12;
 constexpr int kPlaces = 16;  ///< of a circle, between which its distance to a line has one minimum
+constexpr double kBesideFoot = 0.01;  ///< [rad], less than between two places that have a normal
 constexpr int kMostHalvings = 60;
 
 int number(const auto& parts) { return static_cast<int>(parts.size()); }
@@ -284,9 +285,13 @@ DiscFeatures::Nearest DiscFeatures::nearest(const PlacedEdge& e, int rim) const 
   };
   Nearest out;
   const double width = 2.0 * std::numbers::pi / kPlaces;
-  Slope a = slope(0.0);
+  // The places of a line that slides off come together around its place nearest to the middle. The
+  // search begins beside it: that of a line along the axis is there.
+  const Vec3 foot = e.o - middle - e.e.dot(e.o - middle) * e.e;
+  const double first = std::atan2(foot.dot(Y), foot.dot(X)) + kBesideFoot;
+  Slope a = slope(first);
   for (int i = 1; i <= kPlaces && out.count < 2; ++i) {
-    const Slope b = slope(i * width);
+    const Slope b = slope(first + i * width);
     if (Slope l = a, r = b; risesThroughZero(slope, l, r)) {
       const double at = rootBetween(slope, l, r);
       out.at[out.count++] = B_.rim(rim, std::cos(at) * X + std::sin(at) * Y);
