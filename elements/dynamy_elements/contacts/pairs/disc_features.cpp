@@ -21,19 +21,9 @@ int number(const auto& parts) { return static_cast<int>(parts.size()); }
 
 double beyondEnd(double half, double s) { return (1.0 + kBeyondEnd) * half - std::abs(s); }
 
-/// A contact whose normal is from B.
-void reverse(ContactPoint& at) {
-  for (const int k : {0, 1}) at.d[k] = -at.d[k], at.ddot[k] = -at.ddot[k];
-}
-
 /// By how much the lowest point of a rim over a plane with the normal n is below its middle [m].
 double liftOf(const DiscBody& B, int rim, const Vec3& n) {
   return B.radius(rim) * B.acrossAxis(n).norm();
-}
-
-Vec3 outOf(const PlacedPolyhedron& A, int edge) {
-  const Polyhedron::Edge& e = A.of->edge(edge);
-  return A.R * (A.of->face(e.f).n + A.of->face(e.g).n);
 }
 
 /// A function of an angle at a place, and its rate.
@@ -133,14 +123,8 @@ FollowedPair DiscFeatures::absent(const Vec3& at) const {
   return out;
 }
 
-/// Least distance of p from the borders of the face; positive inside [m].
 double DiscFeatures::inside(int face, const Vec3& p) const {
-  const Polyhedron::Face& f = body_.face(face);
-  const Vec3 local = A_.R.transpose() * (p - A_.c);
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = f.first; i < f.first + f.count; ++i)
-    least = std::min(least, body_.border(i).out.dot(body_.corner(body_.border(i).corner) - local));
-  return least;
+  return dynamy::inside(body_, body_.face(face), A_.R.transpose() * (p - A_.c));
 }
 
 /// Sines of the angles by which n lies within the normals of a corner, of an edge, and of a rim, this
@@ -154,9 +138,7 @@ double DiscFeatures::withinCone(int corner, const Vec3& n) const {
 }
 
 double DiscFeatures::withinEdge(int edge, const Vec3& n) const {
-  const Polyhedron::Edge& e = body_.edge(edge);
-  const Vec3 local = A_.R.transpose() * n;
-  return std::min(body_.face(e.f).n.cross(local).dot(e.e), local.cross(body_.face(e.g).n).dot(e.e));
+  return withinNormals(body_, body_.edge(edge), A_.R.transpose() * n);
 }
 
 /// From the cap on it passes to corners and other crossings, with a margin; to the side with none.
@@ -230,7 +212,7 @@ FollowedPair DiscFeatures::cornerOnSide(int corner) const {
                          Vec3::Zero());
     out.presence = beyondEnd(B_.half, B_.a.dot(v - B_.c));
   }
-  reverse(out.at);
+  turnRound(out.at);
   out.presence = std::min(out.presence, size_ * (kBeyondEnd + withinCone(corner, out.at.d[0])));
   return out;
 }
@@ -243,7 +225,7 @@ FollowedPair DiscFeatures::cornerOnTube(int rim, int corner) const {
   FollowedPair out;
   out.at = pointOnCurve(B_.rim(rim, way), *A_.frame, v, 0.0, beside.normalized());
   const double outward = out.at.d[0].dot(beside.normalized());
-  reverse(out.at);
+  turnRound(out.at);
   out.presence = size_ * (kBeyondEnd + std::min(outward, withinCone(corner, out.at.d[0])));
   return out;
 }
@@ -305,7 +287,9 @@ ContactPoint DiscFeatures::onRim(const PlacedEdge& e, int edge, const BodyCurve&
   BodyCurve line = BodyCurve::line(*A_.frame, e.o, e.e, 0.0);
   line.go(e.e.dot(rim.x - line.x));
   const Vec3 d = rim.x - line.x;
-  return curveOnCurve(line, rim, B_.r > 0.0 && d.norm() > 0.5 * B_.r ? d : outOf(A_, edge));
+  return curveOnCurve(
+      line, rim,
+      B_.r > 0.0 && d.norm() > 0.5 * B_.r ? d : Vec3(A_.R * outOf(body_, body_.edge(edge))));
 }
 
 /// Place `which` is the one on the negative or positive half of the circle along the edge; the nearest

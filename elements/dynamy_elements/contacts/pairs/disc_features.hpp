@@ -25,9 +25,8 @@ class DiscFeatures {
   /// `flat`: a rim whose lowest point is less below its middle lies flat [m].
   DiscFeatures(const PlacedPolyhedron& A, const DiscBody& B, double flat);
   /// Number of pairs. They are numbered: rim · faces + face, then the same of eight points of
-  /// rims; for each corner: two caps, the side, two tubes; for each edge: the side, with
-  /// one of two normals, then
-  /// 2 · rim + which half of it along the edge.
+  /// rims; for each corner: two caps, the side, two tubes; for each edge: the side, with one of two
+  /// normals, then 2 · rim + the negative or positive half of it along the edge.
   static int count(const Polyhedron& A);
   static std::string name(const Polyhedron& A, int f);
   FollowedPair pair(int f) const;
@@ -41,7 +40,7 @@ class DiscFeatures {
     BodyCurve at[2];
   };
   Nearest nearest(const PlacedEdge& e, int rim) const;
-  double inside(int face, const Vec3& p) const;
+  double inside(int face, const Vec3& p) const;  ///< of a face, p in the world
   double withinCone(int corner, const Vec3& n) const;
   double withinEdge(int edge, const Vec3& n) const;
   double withinRim(const BodyCurve& at, int rim, const Vec3& n) const;

@@ -11,19 +11,6 @@ double sameOf(const PlacedPolyhedron& A, const PlacedPolyhedron& B) {
   return kSameFeature * std::min(A.of->halfWidth(), B.of->halfWidth());
 }
 
-/// Least distance of p, in axes of the body, from the borders of the face; positive inside [m].
-double inside(const Polyhedron& body, const Polyhedron::Face& f, const Vec3& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = f.first; i < f.first + f.count; ++i)
-    least = std::min(least, body.border(i).out.dot(body.corner(body.border(i).corner) - p));
-  return least;
-}
-
-/// Sine of the angle by which n lies within the normals of the two faces at edge e, n ⟂ e.
-double withinNormals(const Polyhedron& body, const Polyhedron::Edge& e, const Vec3& n) {
-  return std::min(body.face(e.f).n.cross(n).dot(e.e), n.cross(body.face(e.g).n).dot(e.e));
-}
-
 /// Two crossing edges with the normal of their lines, out of A; all in the same axes.
 struct Crossing {
   bool parallel = false;
@@ -39,10 +26,6 @@ struct Crossing {
     n = (cross.dot(outOfA) < 0.0 ? -1.0 : 1.0) / sine * cross;
   }
 };
-
-Vec3 outOf(const Polyhedron& body, const Polyhedron::Edge& e) {
-  return body.face(e.f).n + body.face(e.g).n;
-}
 
 /// Vertex v of `mover` over face f of `body`.
 ContactPoint vertexOnFace(const PlacedPolyhedron& body, int f, const PlacedPolyhedron& mover, int v,
@@ -125,6 +108,21 @@ void nearEdges(const Polyhedron& A, const Polyhedron& B, const Mat3& R, const Ve
 }
 
 }  // namespace
+
+double inside(const Polyhedron& body, const Polyhedron::Face& f, const Vec3& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = f.first; i < f.first + f.count; ++i)
+    least = std::min(least, body.border(i).out.dot(body.corner(body.border(i).corner) - p));
+  return least;
+}
+
+double withinNormals(const Polyhedron& body, const Polyhedron::Edge& e, const Vec3& n) {
+  return std::min(body.face(e.f).n.cross(n).dot(e.e), n.cross(body.face(e.g).n).dot(e.e));
+}
+
+Vec3 outOf(const Polyhedron& body, const Polyhedron::Edge& e) {
+  return body.face(e.f).n + body.face(e.g).n;
+}
 
 double distance(const PlacedEdge& a, const PlacedEdge& b) {
   const Vec3 d = b.o - a.o;

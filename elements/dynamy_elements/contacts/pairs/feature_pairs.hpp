@@ -57,6 +57,13 @@ ContactPoint featurePair(const PlacedPolyhedron& A, const PlacedPolyhedron& B, i
 ContactPoint featurePair(const PlacedPolygon& A, const PlacedPolygon& B, int f, bool rates,
                          double& presence);
 
+/// Least distance of p, in axes of the body, from the borders of the face; positive inside [m].
+double inside(const Polyhedron& body, const Polyhedron::Face& f, const Vec3& p);
+/// Sine of the angle by which n lies within the normals of the two faces at edge e, n ⟂ e; in axes
+/// of the body.
+double withinNormals(const Polyhedron& body, const Polyhedron::Edge& e, const Vec3& n);
+/// A direction out of the body at edge e, in its axes.
+Vec3 outOf(const Polyhedron& body, const Polyhedron::Edge& e);
 /// Distance of two edges [m].
 double distance(const PlacedEdge& a, const PlacedEdge& b);
 
