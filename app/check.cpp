@@ -293,9 +293,14 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
   if (deep)
     out += fmt::format(
         " failed: {} begins with a penetration of {:.3g} m, {:.3g} of the size of the smaller body "
-        "({:.3g} m) — move one of the two, or take the material of a shape away; a run goes on and "
-        "reports it\n",
-        contactName(model, s.overlap.contact), s.overlap.depth, s.overlap.share(), s.overlap.size);
+        "({:.3g} m) — {}; a run goes on and reports it\n",
+        contactName(model, s.overlap.contact), s.overlap.depth, s.overlap.share(), s.overlap.size,
+        s.overlap.joint == kNoContact
+            ? "move one of the two, or take the material of a shape away"
+            : '"' + contactName(model, s.overlap.joint) +
+                  "\" joins these two, and bodies that a joint connects touch as any others: take "
+                  "the material of one away, or give it a material of its own and add <NoContact> "
+                  "with that of the other");
   else if (s.penetration.value > 1e-9 * model.length())
     out += fmt::format(" warning: {} begins with a penetration of {:.3g} m\n", s.penetration.name,
                        s.penetration.value);

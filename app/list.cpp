@@ -67,6 +67,30 @@ std::string json(const Registry& registry, const std::string& kind) {
   return out + "\n";
 }
 
+/// The line below all types: where more of them are; "" if nowhere.
+std::string moreTypes(const PluginLoader& plugins) {
+  const std::vector<std::string> names = plugins.available();
+  return names.empty() ? ""
+                       : fmt::format("\nPlug-ins bring more, dynamy list --plugin NAME: {}\n",
+                                     fmt::join(names, ", "));
+}
+
+/// Loads the libraries of the user's folders until one of them brings the type `name`.
+void loadTypeOf(const std::string& name, Program& program) {
+  if (name.empty() || program.registry.find(name) != nullptr) return;
+  for (const std::string& library : program.plugins.available()) {
+    Registry types;  // of this library alone: a faulty one shall not matter
+    try {
+      PluginLoader(program.plugins).load(library, types);
+    } catch (const ModelError&) {
+      continue;
+    }
+    if (types.find(name) == nullptr) continue;
+    program.plugins.load(library, program.registry);
+    return;
+  }
+}
+
 }  // namespace
 
 void addList(CLI::App& app, Program& program) {
@@ -90,7 +114,8 @@ void addList(CLI::App& app, Program& program) {
     else if (form->names)
       fmt::print("{}", names(program.registry, form->kind));
     else
-      fmt::print("{}", listTypes(typesOf(program.registry, form->kind)));
+      fmt::print("{}{}", listTypes(typesOf(program.registry, form->kind)),
+                 form->kind.empty() ? moreTypes(program.plugins) : "");
   });
 }
 
@@ -108,6 +133,7 @@ void addDescribe(CLI::App& app, Program& program) {
   c->callback([what, &program] {
     if (what->name.empty() && what->pages.empty()) throw CLI::RequiredError("NAME or --pages");
     program.load();
+    loadTypeOf(what->name, program);
     if (what->pages.empty()) {
       fmt::print("{}", describe(program.registry, what->name));
       return;

@@ -103,6 +103,8 @@ std::string optionOfOthers(std::string_view word) {
         {" plot plots figure graph ",
          "a run draws its signals into signals.svg of its folder; dynamy report DIR makes a page"},
         {" verbose debug loglevel v vv ", "there is nothing more to print; --json prints run.json"},
+        {" param params parameter parameters define variable var override ",
+         "a parameter of the model is given by --set NAME=VALUE"},
         {" csv save export hdf5 h5 format ",
          "a run always writes its folder; --signals csv or --signals hdf5 is the format of its "
          "signals"}})

@@ -112,10 +112,12 @@ void addPlugins(CLI::App& command, Program& program, bool readsModels) {
                      "load also libraries that come with the model, from its own folder");
 }
 
-double seconds(const std::string& text, const std::string& option) {
+namespace {
+
+double timeIn(const std::string& text, const std::string& option, bool mayBeZero) {
   Attribute a;
   a.name = option, a.unit = Unit::time;
-  a.positive();
+  a.positive().minOpen = !mayBeZero;
   ParameterValue value;
   value.declaration = &a, value.text = text, value.given = true;
   if (const auto fault = readValue(a, value)) {
@@ -126,6 +128,16 @@ double seconds(const std::string& text, const std::string& option) {
         option, '"' + text + "\": " + fault->text + (hint.empty() ? "" : ", " + hint));
   }
   return value.numbers.at(0);
+}
+
+}  // namespace
+
+double seconds(const std::string& text, const std::string& option) {
+  return timeIn(text, option, false);
+}
+
+double instant(const std::string& text, const std::string& option) {
+  return timeIn(text, option, true);
 }
 
 namespace {

@@ -42,6 +42,8 @@ void addPlugins(CLI::App& command, Program& program, bool readsModels = true);
 
 /// "1.5", "10s", "2ms" → seconds. Throws CLI::ValidationError.
 double seconds(const std::string& text, const std::string& option);
+/// The same of an instant, which may be 0.
+double instant(const std::string& text, const std::string& option);
 
 /// "name=value" → both. Throws CLI::ValidationError.
 std::pair<std::string, std::string> assignment(const std::string& text);

@@ -132,13 +132,17 @@ class Run:
         table = table.set_index("t")
         return table[~table.index.duplicated(keep="last")] if unique else table
 
-    def plot(self, *names, axes=None):
-        """Signals over time, one curve each; returns the axes. Needs matplotlib."""
+    def plot(self, *names, axes=None, label=None):
+        """Signals over time, one curve each; returns the axes. Needs matplotlib.
+
+        `axes`: those of an earlier plot, to lay runs over each other; `label` stands before the
+        names of this run's curves."""
         if axes is None:
             axes = _package("matplotlib.pyplot", "plots").subplots()[1]
         for name in names or [n for n in self.signals if n != "t"]:
             unit = self.units.get(name, "")
-            axes.plot(self.t, self[name], label=f"{name} [{unit}]" if unit else name)
+            text = f"{name} [{unit}]" if unit else name
+            axes.plot(self.t, self[name], label=f"{label}: {text}" if label else text)
         axes.set_xlabel("t [s]")
         axes.legend()
         return axes

@@ -7,6 +7,7 @@
 #include <dynamy/io/model/braces.hpp>
 #include <dynamy/io/xml/xml.hpp>
 #include <dynamy/law/pair_laws.hpp>
+#include <numbers>
 #include <set>
 
 namespace dynamy::app {
@@ -126,6 +127,25 @@ std::string realPartLast(const XmlNode& root) {
   return out;
 }
 
+/// "45" is an angle of seven turns, since plain numbers are radians.
+std::string manyTurns(const XmlNode& root) {
+  std::string out;
+  forAll(root, [&](const XmlNode& node) {
+    for (const char* name : {"angle", "euler"}) {
+      const XmlAttribute* a = node.attribute(name);
+      double largest = 0.0;
+      for (const double x : numbersOf(a)) largest = std::max(largest, std::abs(x));
+      if (largest > 2.0 * std::numbers::pi)
+        out += fmt::format(
+            " note: {}=\"{}\" ({}): {:g} is in radians, {:.3g} turns; degrees are written "
+            "{:g}deg\n",
+            name, a->value, lineOf(a->valuePlace), largest, largest / (2.0 * std::numbers::pi),
+            largest);
+    }
+  });
+  return out;
+}
+
 /// A field of gravity that pulls bodies away from a plane of the ground.
 std::string upwardGravity(const XmlNode& root) {
   const XmlNode *gravity = nullptr, *plane = nullptr;
@@ -198,7 +218,7 @@ std::string ofText(const Model& model) {
   if (model.file.text.empty()) return {};
   const XmlDocument document = XmlDocument::parse(model.file.text, model.file.name);
   const XmlNode& root = document.root();
-  return unusedParameters(root) + realPartLast(root) + upwardGravity(root) +
+  return unusedParameters(root) + realPartLast(root) + manyTurns(root) + upwardGravity(root) +
          nothingMoves(model, root) + unsaidEnd(model, root);
 }
 

@@ -48,9 +48,9 @@ CheckSettings measureOf(const std::string& text) {
     fail(dots == std::string::npos ? "an instant goes with a value, an interval FROM..TO with this"
                                    : "a value is taken at one instant");
   if (dots == std::string::npos) {
-    c.at = seconds(when, "--measure");
+    c.at = instant(when, "--measure");
   } else {
-    c.from = when.substr(0, dots) == "0" ? 0.0 : seconds(when.substr(0, dots), "--measure");
+    c.from = instant(when.substr(0, dots), "--measure");
     c.to = seconds(when.substr(dots + 2), "--measure");
   }
   return c;
@@ -68,10 +68,17 @@ void addMeasures(Model& model, const std::vector<std::string>& measures) {
   model.checks.insert(model.checks.begin(), all.begin(), all.end());
 }
 
-/// Throws ModelError for a measure of a signal that the model does not have.
+/// Throws ModelError for a measure of a signal that the model does not have, or of a time after its
+/// end.
 void verifyMeasures(const Model& model, const std::vector<std::string>& measures) {
   for (const std::string& text : measures) {
-    const std::string signal = measureOf(text).signal;
+    const CheckSettings c = measureOf(text);
+    const std::string& signal = c.signal;
+    const double last = c.measure == CheckSettings::Measure::value ? c.at : c.to;
+    if (const double until = model.simulation.until; std::isfinite(last) && last > until)
+      throw ModelError(
+          fmt::format("--measure {}: the run ends at {:g} s, before {:g} s", text, until, last),
+          "take a later --until, or an earlier time");
     if (model.signal(signal) != nullptr || runFigure(signal) != nullptr) continue;
     std::vector<std::string> known;
     for (const NamedSignal& s : model.signals()) known.push_back(s.name);

@@ -140,6 +140,9 @@ TEST_F(CommandLine, AWrongWordIsNamedWithTheRightOne) {
             "dynamy: there is no command \"simulate\" — did you mean \"run\"?");
   EXPECT_EQ(first("run m.xml --untill 3"),
             "dynamy: there is no option \"--untill\" — did you mean \"--until\"?");
+  EXPECT_EQ(first("run m.xml --param a=1"),
+            "dynamy: there is no option \"--param\" — a parameter of the model is given by "
+            "--set NAME=VALUE");
   EXPECT_EQ(first(""), "dynamy: a command is missing, such as dynamy run model.xml");
 }
 
@@ -148,6 +151,15 @@ TEST_F(CommandLine, KindsAreUnderstoodInAnyCaseAndNumber) {
   const std::string laws = out();
   ASSERT_EQ(call("list --kind Laws"), 0) << err();
   EXPECT_EQ(out(), laws);
+}
+
+TEST_F(CommandLine, DescribeFindsTypesOfPlugInsAndListNamesThem) {
+  ASSERT_EQ(call("describe Motorbike"), 0) << err();
+  EXPECT_TRUE(out().starts_with("<Motorbike>  system of motorbike\n")) << out();
+  ASSERT_EQ(call("list"), 0) << err();
+  const std::size_t more = out().find("\nPlug-ins bring more, dynamy list --plugin NAME: ");
+  ASSERT_NE(more, std::string::npos) << out();
+  EXPECT_NE(out().find(" woodpecker", more), std::string::npos) << out();
 }
 
 TEST_F(CommandLine, DescribeListsTheTypesOnASubject) {

@@ -51,7 +51,13 @@ std::string around(const Listed& type, const std::string& example) {
                                                example + "</RigidBody>\n");
   if (type.kind == "force") forces += example;
   if (type.kind == "contact" || type.kind == "rule") elements += example;
-  if (type.kind == "law") elements += "<Contact between=\"wood steel\">" + example + "</Contact>\n";
+  // Laws without a normal force are none of bodies that touch.
+  const bool touches = type.name.starts_with("Unilateral") || type.name == "BeltFriction";
+  if (type.kind == "law" && touches)
+    elements += "<Contact between=\"wood steel\">" + example + "</Contact>\n";
+  else if (type.kind == "law")
+    elements +=
+        "<CoordinateContact on=\"pendulum\" gap=\"phi\">" + example + "</CoordinateContact>\n";
   if (example.find("<simulation") != std::string::npos) simulation = example;
   return "<dynamy version=\"1\">\n<parameter name=\"l\" value=\"0.5\"/>\n<systems>\n" + systems +
          "</systems>\n<forces>\n" + forces + "</forces>\n<elements>\n" + elements +

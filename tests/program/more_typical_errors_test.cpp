@@ -21,6 +21,10 @@ const std::vector<WrongModel> kImpossibleValues{
      "1e-3 or less"},
     {"until=\"0.1\"", "until=\"1e18\"", "13:3", "does not move t", "take a step of"},
     {"every=\"10ms\"", "at=\"0.05 5\"", "14:33", "wants a row at 5 s", "ends at 0.1 s"},
+    {"<Box size=\"1 1 1\" mass=\"2\" material=\"steel\"/>",
+     "<Circle radius=\"1\" density=\"2500\"/>", "6:7", "<Circle>: has no volume", "<Cylinder>"},
+    {"<UnilateralCoulomb epsilonN=\"0\" mu=\"{mu}\"/>", "<GivenFriction force=\"{mu}\"/>", "11:36",
+     "has no normal force", "<UnilateralStribeck>"},
     {"<RigidBody name=\"block\"", "<RigidBody name=\"floor\"", "5:22", "is used already",
      "first used here"},
 };

@@ -49,6 +49,18 @@ void refuseMass(std::span<const std::unique_ptr<Shape>> shapes, const std::strin
 
 namespace {
 
+/// Throws ModelError for a shape whose density gives no mass, since it has no volume.
+void refuseFlat(std::span<const std::unique_ptr<Shape>> shapes) {
+  for (const auto& shape : shapes)
+    if (shape->density() > 0.0)
+      throw ModelError(Diagnostic{
+          .place = shape->place(),
+          .element = shape->type(),
+          .text = "has no volume, so that its density gives no mass",
+          .hint = "give it mass=\"…\" and the body an inertia, or take a shape with a volume (a "
+                  "disc: a <Cylinder> whose axis, z, is turned along the normal of the plane)"});
+}
+
 /// Attitude of a frame with x forward, y left and z up: A = R_z(heading) R_y(pitch) R_x(lean).
 struct Attitude {
   const char* name;
@@ -178,6 +190,7 @@ BodyMass BodyParts::mass(const Parameters& x, Mat3 (*J)(const ParameterValue&)) 
     return {.m = total, .J_S_K = J(x["inertia"])};
   }
   BodyMass out = mass(total);
+  if (!(out.m > 0.0)) refuseFlat(shapes_);
   if (!(out.m > 0.0))
     throw ModelError(given ? "the body has a mass but no inertia" : "the body has no mass",
                      given ? "add inertia=\"…\", or a shape with a volume"

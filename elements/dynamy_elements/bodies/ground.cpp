@@ -13,8 +13,10 @@ Attribute& absentFormula(Attributes& a, AttributeType type, const char* name, co
 void Ground::declare(Attributes& a) {
   a.about(
       "Carries shapes and frames that stand still or move as told: r = position + motion(t), "
-      "turned "
-      "by rotation(t) about axis. Velocities and accelerations follow exactly from the formulas.");
+      "turned by rotation(t) about axis. Velocities and accelerations follow exactly from the "
+      "formulas. Signals, if its shapes touch others: Fx Fy Fz, the sum of all contact forces on "
+      "this ground, along the axes of the world. Walls whose forces are wanted one by one are "
+      "grounds of their own.");
   declarePose(a, "ground");
   absentFormula(a, AttributeType::expressions, "motion",
                 "x; y; z: displacement from position as formulas of t [m]");

@@ -235,6 +235,7 @@ constexpr auto kOtherFunctions = std::to_array<OtherWord>({
   {"cbrt", "x^(1/3)", ""},
   {"fmod rem remainder modulo", "mod", ""},
   {"heaviside unitstep", "step", ""},
+  {"haversin step5 smoothramp ramp", "smoothstep", ""},
   {"limit limiter saturate saturation sat clip bound", "clamp", ""},
   {"minimum amin", "min", ""},
   {"maximum amax", "max", ""},
@@ -261,8 +262,8 @@ constexpr auto kOtherSignals = std::to_array<OtherWord>({
   {"wy omegay angularvelocityy angvely", "Omega_y", ""},
   {"wz omegaz angularvelocityz angvelz", "Omega_z omega", ""},
   {"omega angularvelocity", "omega phi_dot rate", ""},
-  {"q theta rotation", "angle phi", ""},
-  {"qdot thetadot angularspeed", "rate phi_dot", ""},
+  {"q theta rotation phi", "angle phi", ""},
+  {"qdot thetadot phidot angularspeed", "rate phi_dot", ""},
 });
 // clang-format on
 

@@ -39,4 +39,7 @@ struct ContactKey {
   auto operator<=>(const ContactKey&) const = default;
 };
 
+/// Stands for a contact where there is none.
+inline constexpr ContactKey kNoContact{~std::uint64_t{0}};
+
 }  // namespace dynamy

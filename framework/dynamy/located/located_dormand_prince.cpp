@@ -97,7 +97,8 @@ void LocatedDormandPrince::declare(Attributes& a) {
        "factor on the work after which what is most expensive is stepped in time, with a "
        "warning: by default some seconds of small models, 1e5 evaluations of large ones; inf: "
        "never")
-      .positive();
+      .positive()
+      .mayBeInfinite();
   a.example("<simulation until=\"1\" tolerance=\"1e-6\"><LocatedDormandPrince/></simulation>");
 }
 

@@ -106,6 +106,11 @@ struct Attribute {
     nonZero = true;
     return *this;
   }
+  /// `inf` is a value, too.
+  Attribute& mayBeInfinite() {
+    choices = {"inf"};
+    return *this;
+  }
   /// May be absent although it has no default.
   Attribute& mayBeAbsent() {
     optionalValue = true;

@@ -173,6 +173,16 @@ std::string quotedList(const std::vector<std::string>& words, std::size_t most) 
 std::string unknownNameHint(std::string_view name, const std::vector<std::string>& known) {
   if (const std::string meant = signalOfOthers(name, known); !meant.empty())
     return didYouMean(meant);
+  // Names of the same owner are the likeliest: "hinge.phi" means one of "hinge.angle", "hinge.g".
+  const std::string_view owner = name.substr(0, name.rfind('.') + 1);
+  std::vector<std::string> same, last;
+  for (const std::string& k : known)
+    if (!owner.empty() && k.starts_with(owner))
+      same.push_back(k), last.push_back(k.substr(owner.size()));
+  if (!same.empty()) {
+    const std::string near = nearest(name.substr(owner.size()), last);
+    return near.empty() ? "known: " + quotedList(same) : didYouMean(std::string(owner) + near);
+  }
   if (const std::string near = nearest(name, known); !near.empty()) return didYouMean(near);
   return known.empty() ? std::string() : "known: " + quotedList(known);
 }

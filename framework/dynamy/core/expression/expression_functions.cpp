@@ -32,6 +32,20 @@ Node clamp(Graph& graph, Arguments x) {
   return graph.binary(Op::min, graph.binary(Op::max, x[0], x[1]), x[2]);
 }
 
+/// y0 for x ≤ x0, y1 for x ≥ x1, between them the cubic y0 + (y1 − y0) s² (3 − 2s) of
+/// s = (x − x0)/(x1 − x0), whose slope is 0 at both ends.
+Node smoothStep(Graph& graph, Arguments a) {
+  const Node width = graph.binary(Op::subtract, a[3], a[1]);
+  const Node part = graph.binary(Op::divide, graph.binary(Op::subtract, a[0], a[1]), width);
+  const std::array<Node, 3> limits{part, graph.constant(0.0), graph.constant(1.0)};
+  const Node s = clamp(graph, limits);
+  const Node twice = graph.binary(Op::multiply, graph.constant(2.0), s);
+  const Node rest = graph.binary(Op::subtract, graph.constant(3.0), twice);
+  const Node share = graph.binary(Op::multiply, graph.binary(Op::multiply, s, s), rest);
+  const Node rise = graph.binary(Op::multiply, graph.binary(Op::subtract, a[4], a[2]), share);
+  return graph.binary(Op::add, a[2], rise);
+}
+
 constexpr auto kFunctions = std::to_array<ExpressionFunction>({
     {"sin", 1, 1, unary<Op::sin>},
     {"cos", 1, 1, unary<Op::cos>},
@@ -58,6 +72,7 @@ constexpr auto kFunctions = std::to_array<ExpressionFunction>({
     {"pow", 2, 2, reduce<Op::power>},
     {"step", 1, 1, step},
     {"clamp", 3, 3, clamp},
+    {"smoothstep", 5, 5, smoothStep},
 });
 
 std::vector<std::string> tableNames() {

@@ -329,7 +329,10 @@ class Parser {
     }
     const std::string message = std::string(function.name) + " takes " + expected + " argument" +
                                 (high == 1 ? "" : "s") + ", not " + std::to_string(count);
-    throw ExpressionError(message, nameToken.offset, tokens_.lengthFrom(nameToken));
+    // STEP of other programs has the same five.
+    const bool smooth = function.name == "step" && count == 5;
+    throw ExpressionError(message, nameToken.offset, tokens_.lengthFrom(nameToken),
+                          smooth ? "smoothstep" : "");
   }
 
   bool isSymbol(std::string_view name) const {

@@ -246,12 +246,12 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
       if (name.starts_with(prefix)) return;
       name = name.substr(0, name.rfind('.')) + ".*";
     }
+    known.erase(std::unique(known.begin(), known.end()), known.end());
   }
-  // Signals of the same element are the likeliest.
   const std::string owner = signal.substr(0, signal.rfind('.') + 1);
-  std::vector<std::string> same;
-  for (const std::string& name : known)
-    if (!owner.empty() && name.starts_with(owner)) same.push_back(name);
+  const bool owned = !owner.empty() && std::any_of(known.begin(), known.end(), [&](const auto& k) {
+    return k.starts_with(owner);
+  });
   std::string hint;
   if (signal == "all")
     hint = "all signals are signals=\"*\"";
@@ -261,8 +261,9 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
            !owner.empty() && std::find(known.begin(), known.end(), own) != known.end())
     hint = "an element without a name has signals without a dot: write \"" + own +
            "\", or give it name=\"" + owner.substr(0, owner.size() - 1) + '"';
-  else
-    hint = didYouMean(nearest(signal, known));
+  else if (hint = owned ? unknownNameHint(signal, known) : didYouMean(nearest(signal, known));
+           !hint.starts_with("did you mean"))
+    hint.clear();  // lists stand behind what is known better
   if (const std::string meant = signalOfOthers(signal, known); !meant.empty())
     hint = didYouMean(meant);
   if (hint.empty() && owner.empty())
@@ -273,7 +274,7 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
       if (!owner.empty() && owner == joint->name() + ".")
         hint = "in minimal coordinates \"" + joint->name() +
                "\" may be a coordinate, which has no percussions";
-  if (hint.empty()) hint = unknownNameHint(signal, same.empty() ? known : same);
+  if (hint.empty()) hint = unknownNameHint(signal, known);
   faults_->add({.place = place,
                 .element = element,
                 .text = (all ? "no signals \"" : "no signal \"") + signal + '"',

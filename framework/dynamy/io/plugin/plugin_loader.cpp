@@ -119,21 +119,30 @@ PluginLoader::PluginLoader() : readsConfiguration_(true) {
 
 PluginLoader::PluginLoader(std::vector<fs::path> folders) : installed_(std::move(folders)) {}
 
+std::vector<std::string> PluginLoader::available() const {
+  std::vector<std::string> out;
+  for (const auto* folders : {&own_, &installed_})
+    for (const fs::path& folder : *folders)
+      for (std::string& name : librariesIn(folder))
+        if (name != kStandardElements &&
+            std::none_of(loaded_.begin(), loaded_.end(),
+                         [&](const Loaded& l) { return l.name == name; }))
+          out.push_back(std::move(name));
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
 std::string PluginLoader::libraryOf(std::string_view type) const {
   constexpr std::size_t kShortest = 4;  // shorter names begin many words
   std::string found;
-  for (const auto* folders : {&own_, &installed_})
-    for (const fs::path& folder : *folders)
-      for (const std::string& name : librariesIn(folder)) {
-        std::string letters = name;
-        std::erase(letters, '_');
-        const bool begins = letters.size() >= kShortest && type.size() >= letters.size() &&
-                            typingDistance(type.substr(0, letters.size()), letters) == 0;
-        if (begins && letters.size() > found.size() &&
-            std::none_of(loaded_.begin(), loaded_.end(),
-                         [&](const Loaded& l) { return l.name == name; }))
-          found = name;
-      }
+  for (std::string& name : available()) {
+    std::string letters = name;
+    std::erase(letters, '_');
+    const bool begins = letters.size() >= kShortest && type.size() >= letters.size() &&
+                        typingDistance(type.substr(0, letters.size()), letters) == 0;
+    if (begins && letters.size() > found.size()) found = std::move(name);
+  }
   return found;
 }
 

@@ -64,6 +64,8 @@ class PluginLoader {
   /// fingerprints.
   void load(const Fingerprint& library, Registry& registry);
 
+  /// Names of the libraries in the user's folders that are not loaded, sorted.
+  std::vector<std::string> available() const;
   /// Name of the library in the user's folders that probably has this type: the type begins with
   /// it, as WoodpeckerContact with woodpecker. "" if there is none, or it is loaded.
   std::string libraryOf(std::string_view type) const;

@@ -70,7 +70,8 @@ Word record() {
   Word w = word("record", "Which signals and pictures are kept.", {"doc"});
   Attributes& a = w.attributes;
   a.add(AttributeType::names, "signals", "",
-        "names such as ball.z; ball.* are all of ball, * are all; default: those of systems");
+        "names such as ball.z; ball.* are all of ball, * are all; default: those of systems that "
+        "move");
   a.required("every", Unit::time, "sample time; default: 1000 samples").positive().mayBeAbsent();
   a.requiredVector("at", Unit::time, 0, "instants of rows; with `every`: of rows beside those")
       .mayBeAbsent();
@@ -90,8 +91,11 @@ Word check() {
   Attributes& a = w.attributes;
   a.add(AttributeType::text, "signal", std::nullopt,
         "name such as ball.z, or a figure of the run's report such as run.penetration");
-  a.choice("measure", {"value", "mean", "min", "max", "period", "count"}, "value",
-           "what is taken of the signal");
+  a.choice(
+      "measure", {"value", "mean", "min", "max", "period", "count"}, "value",
+      "what is taken of the signal; period: mean time between upward passes through the middle "
+      "of its values; count: upward jumps of a signal that has only whole values, changes of "
+      "sign of any other");
   a.required("at", Unit::time, "time of the value; default: the end").nonNegative().mayBeAbsent();
   a.requiredVector("over", Unit::time, 2, "from and to, inf: the end; default: the whole run")
       .mayBeAbsent()

@@ -4,9 +4,6 @@
 
 namespace dynamy {
 
-/// Stands for a contact where there is none.
-inline constexpr ContactKey kNoContact{~std::uint64_t{0}};
-
 struct ContactGaps {
   ContactSet contacts;
   Eigen::VectorXd gammas;  ///< γ, row after row [m/s]

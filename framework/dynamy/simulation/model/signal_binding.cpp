@@ -1,4 +1,4 @@
-#include <dynamy/core/suggestion.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/model/signal_binding.hpp>
 #include <map>
@@ -21,13 +21,7 @@ Diagnostic fault(const Request& r, std::string text, std::string hint) {
 Diagnostic unknown(const Model& model, const Request& r) {
   std::vector<std::string> known;
   for (const NamedSignal& s : model.signals()) known.push_back(s.name);
-  std::string hint = didYouMean(nearest(r.name, known));
-  // Without a name alike: what the element has, or what there is.
-  const std::string head = r.name.substr(0, r.name.rfind('.') + 1);
-  for (const NamedSignal& s : model.signals())
-    if (hint.empty() && s.name.starts_with(head)) hint = "there is, e.g., " + s.name;
-  if (hint.empty() && !known.empty()) hint = "there is, e.g., " + known.front();
-  return fault(r, "no signal named \"" + r.name + '"', hint);
+  return fault(r, "no signal named \"" + r.name + '"', unknownNameHint(r.name, known));
 }
 
 /// Why formulas cannot read a signal; empty: they can.

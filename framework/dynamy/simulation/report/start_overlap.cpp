@@ -38,6 +38,24 @@ double bodySize(const Model& model, int block) {
   return 0.0;
 }
 
+/// Blocks of contact i.
+std::vector<int> blocksOf(const ContactSet& contacts, std::size_t i) {
+  std::vector<int> out;
+  for (int k = contacts.segment0[i]; k < contacts.segment0[i + 1]; ++k)
+    out.push_back(contacts.segment[static_cast<std::size_t>(k)].block);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// A contact between the bodies of contact i that is no touch, such as a hinge.
+ContactKey jointBeside(const ContactSet& start, std::size_t i) {
+  const std::vector<int> bodies = blocksOf(start, i);
+  for (std::size_t j = 0; j < start.law.size(); ++j)
+    if (holds(start.law[j]->rowKind(0)) && blocksOf(start, j) == bodies)
+      return start.candidateKey[static_cast<std::size_t>(start.candidate[j])];
+  return kNoContact;
+}
+
 }  // namespace
 
 double thickness(const ShapeGeometry& shape) {
@@ -85,6 +103,7 @@ double smallestBody(const Model& model) {
 
 StartOverlap startOverlap(const Model& model, const ContactSet& start) {
   StartOverlap worst;
+  std::size_t which = 0;
   for (int i = 0; i < start.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const auto candidate = static_cast<std::size_t>(start.candidate[at]);
@@ -94,8 +113,9 @@ StartOverlap startOverlap(const Model& model, const ContactSet& start) {
       const double size = bodySize(model, start.segment[static_cast<std::size_t>(k)].block);
       if (size > 0.0) here.size = std::min(here.size, size);
     }
-    if (here.size < kInfinity && here.share() > worst.share()) worst = here;
+    if (here.size < kInfinity && here.share() > worst.share()) worst = here, which = at;
   }
+  if (worst.depth > 0.0) worst.joint = jointBeside(start, which);
   return worst;
 }
 

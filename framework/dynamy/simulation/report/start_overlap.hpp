@@ -16,6 +16,7 @@ struct StartOverlap {
   double depth = 0.0;  ///< −g [m]
   double size = 0.0;   ///< s [m]; 0: no bodies with a size overlap
   ContactKey contact;
+  ContactKey joint = kNoContact;  ///< a joint between the two bodies
   double share() const { return size > 0.0 ? depth / size : 0.0; }
 };
 

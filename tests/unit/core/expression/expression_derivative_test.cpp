@@ -91,6 +91,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"hypot(x,3)", 4.0, 5.0, 0.8, 9.0 / 125},
         Case{"atan2(x,3)", 4.0, std::atan2(4.0, 3.0), 3.0 / 25, -24.0 / 625},
         Case{"atan2(3,x)", 4.0, std::atan2(3.0, 4.0), -3.0 / 25, 24.0 / 625},
+        // 2 + 4 s²(3 − 2s) with s = (x − 1)/2 at s = ¼: slope 24 s(1 − s)/2, second (24 − 48 s)/4.
+        Case{"smoothstep(x,1,2,3,6)", 1.5, 2.625, 2.25, 3.0},
+        Case{"smoothstep(x,1,2,3,6)", 0.0, 2.0, 0.0, 0.0},
+        Case{"smoothstep(x,1,2,3,6)", 4.0, 6.0, 0.0, 0.0},
         Case{"clamp(x^2,0,1)", 0.5, 0.25, 1.0, 2.0}, Case{"clamp(x,0,1)", 2.0, 1.0, 0.0, 0.0},
         Case{"sin(x^2)", 0.9, std::sin(0.81), 1.8 * std::cos(0.81),
              2 * std::cos(0.81) - 3.24 * std::sin(0.81)},

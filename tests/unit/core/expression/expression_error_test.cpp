@@ -82,7 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"cos()", "cos takes 1 argument, not 0", 0, 5, ""},
                     Wrong{"min(1)", "min takes at least 2 arguments, not 1", 0, 6, ""},
                     Wrong{"hypot(1)", "hypot takes 2 or 3 arguments, not 1", 0, 8, ""},
-                    Wrong{"clamp(y,0)", "clamp takes 3 arguments, not 2", 0, 10, ""}));
+                    Wrong{"clamp(y,0)", "clamp takes 3 arguments, not 2", 0, 10, ""},
+                    Wrong{"step(y,0,0,1,5)", "step takes 1 argument, not 5", 0, 15, "smoothstep"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Structure, WrongExpression,

@@ -44,6 +44,7 @@ TEST(ExpressionInstants, AreWhereFormulasOfTimeHaveKinks) {
   EXPECT_EQ(instants("abs(t - 1)"), Times({1.0}));
   EXPECT_EQ(instants("clamp((t - 1)/2, 0, 1)"), Times({1.0, 3.0}));
   EXPECT_EQ(instants("min(2*max(t - 0.5, 0), 0.25)"), Times({0.5, 0.625}));
+  EXPECT_EQ(instants("smoothstep(t, 1, 0, 3, 5)"), Times({1.0, 3.0}));
   EXPECT_EQ(instants("sin(2*pi*clamp(t - 1, 0, 1))"), Times({1.0, 2.0}));
   EXPECT_EQ(instants("x*step(t - 1)"), Times({1.0}));
 }
