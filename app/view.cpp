@@ -85,8 +85,15 @@ void addView(CLI::App& app, Program& program) {
   ofFilm("--slower", video.slower, "how many times slower than the mechanism; default: as the page")
       ->type_name("NUMBER")
       ->check(positiveNumber());
-  ofFilm("--from", video.from, "start of the film in the run [s]")->type_name("NUMBER");
-  ofFilm("--to", video.to, "end of the film in the run [s]")->type_name("NUMBER");
+  const auto ofRun = [&](const std::string& name, std::optional<double>& value,
+                         const std::string& text) {
+    sub->add_option_function<std::string>(
+           name, [name, &value](const std::string& given) { value = instant(given, name); }, text)
+        ->needs(film)
+        ->type_name("TIME");
+  };
+  ofRun("--from", video.from, "start of the film in the run [s]");
+  ofRun("--to", video.to, "end of the film in the run [s]");
   ofFilm("--look", video.look, "as behind # in the address of the page: \"view=xz&theme=dark\"")
       ->type_name("TEXT");
   sub->callback([options, &program] {

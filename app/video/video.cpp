@@ -64,8 +64,17 @@ void openReplay(Browser& browser, const fs::path& replay, const std::string& loo
   throw FileError(replay.string(), "the page was not shown within a minute");
 }
 
-/// Begins a film; the number of its pictures.
+/// Begins a film; the number of its pictures. Throws CLI::ValidationError for times beyond the run.
 int begin(Browser& browser, const VideoChoice& choice) {
+  const double first = std::atof(browser.evaluate("String(window.replay.begin)").c_str());
+  const double last = std::atof(browser.evaluate("String(window.replay.end)").c_str());
+  const double hair = 1e-9 * last;  // of times that are written in a few digits
+  for (const auto& [name, t] : {std::pair("--from", choice.from), {"--to", choice.to}})
+    if (t && !(*t >= first - hair && *t <= last + hair))
+      throw CLI::ValidationError(
+          name, fmt::format("the run shows {:g} to {:g} s, and not {:g} s", first, last, *t));
+  if (choice.from.value_or(first) > choice.to.value_or(last))
+    throw CLI::ValidationError("--from", "the film would end before it begins");
   std::string what =
       fmt::format("width: {}, height: {}, fps: {}", choice.width, choice.height, choice.fps);
   if (choice.slower) what += fmt::format(", slower: {}", *choice.slower);

@@ -32,6 +32,9 @@ export class Comparison {
     this.apply();
   }
 
+  /** The runs by name: one text under each picture; none if there is one run. */
+  get names(): string[] { return this.captions.filter(p => !p.hidden).map(p => p.textContent ?? ""); }
+
   private apply(): void {
     const {stage, scene} = this.replay, {other} = this, two = other !== null && this.apart;
     this.beside?.close();

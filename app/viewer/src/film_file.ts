@@ -48,6 +48,8 @@ export class FilmFile {
     ctx.textAlign = "left";
     ctx.fillStyle = theme.soft;
     ctx.fillText(`${t.toFixed(digits)} s`, size, size);
+    const {names} = replay.comparison;
+    names.forEach((name, i) => ctx.fillText(name, size + i * picture.width / names.length, picture.height - 2 * size));
     if (!replay.stage.show.contacts || !replay.film.contactCount) return;
     ctx.textAlign = "right";
     let x = picture.width - size;

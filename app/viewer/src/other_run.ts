@@ -61,14 +61,16 @@ export class OtherRun {
     ctx.restore();
   }
 
-  /** Its curves beside those of the same name. */
-  addTo(panels: PlotPanel[]): PlotPanel[] {
+  /** Its curves beside those of the same name, which get the name of their run, too. */
+  addTo(panels: PlotPanel[], title: string): PlotPanel[] {
+    const named = (name: string, run: string): string => run ? `${name} (${run})` : name;
     return panels.map(panel => {
-      const curves = panel.curves.flatMap((c, colour) => {
+      const curves = panel.curves.flatMap((c, k) => {
         const own = this.signals.find(s => s.name === c.name);
-        return own ? [{name: `${c.name} (${this.title})`, t: own.t, y: own.y, dashed: true, colour}] : [];
+        return own ? [{name: named(c.name, this.title), t: own.t, y: own.y, dashed: true, colour: panel.curves.length + k}] : [];
       });
-      return {...panel, curves: [...panel.curves, ...curves]};
+      const first = curves.length > 0 ? panel.curves.map(c => ({...c, name: named(c.name, title)})) : panel.curves;
+      return {...panel, curves: [...first, ...curves]};
     });
   }
 }

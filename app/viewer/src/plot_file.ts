@@ -77,8 +77,9 @@ export function svgOf(panel: PlotPanel, shown: boolean[], lo: number, hi: number
     }
     const colour = kCurves[(c.colour ?? k) % kCurves.length];
     parts.push(`<path d="${d}" fill="none" stroke="${colour}" stroke-width="1.5"${c.dashed ? ' stroke-dasharray="5 4"' : ""}/>`,
-      text(at, 18, c.name, "start", colour));
-    at += 7.2 * c.name.length + 18;
+      `<path d="M${at} 14h22" fill="none" stroke="${colour}" stroke-width="1.5"${c.dashed ? ' stroke-dasharray="5 4"' : ""}/>`,
+      text(at + 27, 18, c.name, "start", colour));
+    at += 7.2 * c.name.length + 45;
   });
   parts.push(text(W - right, H - 8, "t [s]", "end"), text(W - right, 18, panel.unit ? `[${panel.unit}]` : "", "end"));
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${W} ${H}" width="${W}" height="${H}" font-family="sans-serif" font-size="12">` +

@@ -451,7 +451,7 @@ export class Replay {
     this.tools.other = other;
     this.comparison.show(other);
     this.end = Math.max(spanOf(this.film, this.signals)[1], other?.end ?? -Infinity);
-    this.plots.setPanels(other ? other.addTo(panels) : panels, this.begin, this.end);
+    this.plots.setPanels(other ? other.addTo(panels, this.data.title) : panels, this.begin, this.end);
     this.pressed("o", other !== null);
     this.named.w.hidden = !other;
     this.pressed("w", this.comparison.isBeside);
