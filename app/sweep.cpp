@@ -119,7 +119,13 @@ int finish(const Sweep& s, const SweepFolder& folder, const SweepTexts& t,
   const Collected c = collect(s, folder, t.accepted);
   if (!t.quiet) {
     fmt::print(" {}{}\n", stateText(c, s.runs()), more);
-    if (!c.firstFault.empty()) fmt::print(" {}\n", c.firstFault);
+    for (const auto& [text, all] :
+         {std::pair(c.firstFault, c.failed), {c.firstQualified, c.qualified}})
+      if (!text.empty())
+        fmt::print(" {}{}\n", text, all > 1 ? "; the others stand in results.csv" : "");
+    if (c.qualified > 0 && c.failed + c.missing == 0)
+      fmt::print(" (exit status {}; --accept takes kinds of warnings, doc/run_folder.md)\n",
+                 kQualified);
     fmt::print(" wrote   {}/  manifest.csv results.csv sweep.html\n", folder.path().string());
     if (c.missing > 0)
       fmt::print(" {} missing: the same command, or dynamy sweep {}, goes on\n", c.missing,

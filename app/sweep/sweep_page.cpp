@@ -114,7 +114,9 @@ Collected collect(const Sweep& sweep, const SweepFolder& folder, const Accepted&
       if (out.firstFault.empty()) out.firstFault = fmt::format("run {}: {}", id, line.back());
     } else {
       ++out.finished;
-      out.qualified += qualifies(line[line.size() - 2], accept) ? 1 : 0;
+      const std::string& warnings = line[line.size() - 2];
+      if (qualifies(warnings, accept) && out.qualified++ == 0)
+        out.firstQualified = fmt::format("run {}: {}", id, warnings);
       out.failedChecks += line[state + 1] != "0";
     }
   }

@@ -10,6 +10,7 @@ struct Collected {
   std::size_t qualified = 0;     ///< finished runs with a warning that qualifies them
   std::size_t failedChecks = 0;  ///< finished runs with a check of the model that does not hold
   std::string firstFault;        ///< message of the first run that failed
+  std::string firstQualified;    ///< the same of the first one with such a warning: its kinds
 };
 
 /// Writes results.csv and sweep.html from the lines of the runs that are done. Warnings in `accept`

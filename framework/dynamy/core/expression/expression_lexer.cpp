@@ -94,6 +94,8 @@ class Lexer {
       // π is a good name if the model defines it, so the parser decides on letters that can stand
       // in names.
       if (r.wrong.front() != peek() || r.wrong == "π") continue;
+      if (r.wrong == "[" && at_ > 0 && (isLetter(text_[at_ - 1]) || isDigit(text_[at_ - 1])))
+        throw ExpressionError("a name with an index stands in braces", at_, 1, inBraces());
       if (rest().starts_with(r.wrong) && !rest().starts_with("==") && !rest().starts_with("&&") &&
           !rest().starts_with("||")) {
         throw ExpressionError("unexpected character " + quoted(r.wrong), at_, r.wrong.size(),
@@ -108,6 +110,16 @@ class Lexer {
       return token;
     }
     throw ExpressionError("unexpected character " + quoted(rest().substr(0, 1)), at_, 1);
+  }
+
+  /// "{disc[3].z}": the name around the index that begins here.
+  std::string inBraces() const {
+    const auto ofName = [&](char c) { return isLetter(c) || isDigit(c) || c == '.'; };
+    std::size_t begin = at_, end = text_.find(']', at_);
+    while (begin > 0 && ofName(text_[begin - 1])) --begin;
+    if (end == std::string_view::npos) return {};
+    for (++end; end < text_.size() && ofName(text_[end]);) ++end;
+    return '{' + std::string(text_.substr(begin, end - begin)) + '}';
   }
 
   /// letter (letter | digit)*, parts joined by dots as in toy.phiM; and, or, not are operators.

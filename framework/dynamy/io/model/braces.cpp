@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/attributes.hpp>
@@ -175,6 +177,30 @@ std::optional<ResolvedText> resolvedAgain(const XmlAttribute& attribute, const S
   return known->second->resolved(scope, formula);
 }
 
+/// "past[3].out" for `past[i + 1].out`; nothing: that is no name of a signal. Throws
+/// ExpressionError.
+std::optional<std::string> withIndices(std::string_view inner, const SymbolTable& symbols) {
+  std::string out;
+  for (std::size_t at = 0; at < inner.size();) {
+    const std::size_t open = inner.find('[', at), close = inner.find(']', open);
+    out += inner.substr(at, open - at);
+    if (close == std::string_view::npos) break;
+    const std::string_view index = inner.substr(open + 1, close - open - 1);
+    double x = 0.0;
+    try {
+      x = evaluateConstant(index, symbols);
+    } catch (const ExpressionError& e) {
+      throw ExpressionError(e.message(), open + 1 + e.offset(), e.length(), e.suggestion());
+    }
+    if (!(x >= 0.0 && x == std::floor(x)))
+      throw ExpressionError("an index is a whole number from 0 on, not " + numberText(x), open + 1,
+                            index.size());
+    out += fmt::format("[{:.0f}]", x);
+    at = close + 1;
+  }
+  return isSignalName(out) ? std::optional(out) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const XmlNode& node,
@@ -213,19 +239,28 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
       return std::nullopt;
     }
     const std::string_view inner = std::string_view(value).substr(at + 1, end - at - 2);
-    if (formula && isSignalName(inner)) {  // read in each evaluation, not now
+    const bool indexed = inner.find('[') != std::string_view::npos;
+    if (formula && !indexed && isSignalName(inner)) {  // read in each evaluation, not now
       out.text.append(value, at, end - at);
       at = end;
       continue;
     }
     // The expression between the braces becomes a number.
     try {
+      if (const auto name = formula && indexed ? withIndices(inner, symbols) : std::nullopt) {
+        out.pieces.push_back({out.text.size(), name->size() + 2, at, end - at});
+        out.text += '{' + *name + '}';
+        at = end;
+        continue;
+      }
+      if (indexed && !formula)
+        throw ExpressionError("parameters have no index", inner.find('['), 1);
       const double x = evaluateConstant(inner, symbols);
       if (!std::isfinite(x))
         fault(at, end - at, "the expression has no finite value, is " + numberText(x));
       out.add(x, formula, at, end);
     } catch (const ExpressionError& found) {
-      const ExpressionError e = withAllNames(inner, scope, found);
+      const ExpressionError e = indexed ? found : withAllNames(inner, scope, found);
       fault(at + 1 + e.offset(), e.length(), e.message(), formulaHint(e));
     }
     at = end;

@@ -78,6 +78,22 @@ TEST(Signals, HaveTheirFullNamesInReplicates) {
   EXPECT_NEAR(x.u[3], 0.1, 1e-15);
 }
 
+TEST(Signals, HaveIndicesThatAreComputed) {
+  const auto scene = [](const std::string& of) {
+    return "<dynamy version=\"1\"><systems><replicate count=\"3\"><PointMass name=\"m\" "
+           "mass=\"1\" position=\"{0.1*i^2} 0 0\"/></replicate></systems><forces><replicate "
+           "count=\"2\"><Formula name=\"d\" of=\"" +
+           of + "\"/></replicate></forces><simulation until=\"1\" step=\"1e-3\"/></dynamy>";
+  };
+  BlockScene run(scene("{m[i + 1].x} - {m[2*i].x}"));
+  const State x = run.run();
+  EXPECT_DOUBLE_EQ(run.signal(x, "d[0].out"), 0.1);
+  EXPECT_DOUBLE_EQ(run.signal(x, "d[1].out"), 0.0);
+  EXPECT_NE(errorOf(scene("{m[i/2].x}")).find("an index is a whole number from 0 on, not 0.5"),
+            std::string::npos);
+  EXPECT_NE(errorOf(scene("m[1].x + 1")).find("did you mean \"{m[1].x}\"?"), std::string::npos);
+}
+
 TEST(Signals, MoveALatch) {
   // A brake that closes once the other body has passed 0.5 m: at 0.5 s, then 1 − 2 (t − 0.5) m/s.
   BlockScene scene(R"(<dynamy version="1"><systems>
