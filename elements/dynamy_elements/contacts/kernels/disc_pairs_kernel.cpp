@@ -21,14 +21,25 @@ class Discs final : public PairKernel {
   double gap(const PosedPair& p, std::size_t) const override {
     return separation(discBody(p.A, p.a), discBody(p.B, p.b));
   }
-  std::uint64_t features(const TouchingShape&, const TouchingShape&) const override {
-    return kDiscPair;
+  std::uint64_t features(const TouchingShape& a, const TouchingShape& b) const override {
+    return kDiscPair + followed(a, b);
   }
   std::string featureName(const TouchingShape&, const TouchingShape&,
                           std::uint64_t f) const override;
-  Following following(const TouchingShape&, const TouchingShape&) const override {
-    return Following::jumping;
+  /// Where a line without a radius touches, the normal jumps.
+  Following following(const TouchingShape& a, const TouchingShape& b) const override {
+    return a.thickness > 0.0 && b.thickness > 0.0 ? Following::pairwise : Following::jumping;
   }
+  std::uint64_t followed(const TouchingShape& a, const TouchingShape& b) const override {
+    return following(a, b) == Following::pairwise ? TwoDiscs::kCount : 0;
+  }
+  void follow(PairReport& report) const override {
+    const PosedPair& p = report.pair();
+    const DiscBody a = discBody(p.A, p.a), b = discBody(p.B, p.b);
+    followFeatures(report, TwoDiscs(a, b, report.request().flat));
+  }
+  FollowedPartners partners(const TouchingShape& a, const TouchingShape& b,
+                            std::uint64_t f) const override;
 };
 
 class DiscOnPolyhedron final : public PairKernel {
@@ -100,7 +111,22 @@ FollowedPartners DiscOnPolyhedron::partners(const TouchingShape& a, const Touchi
                    : FollowedPartners{ofEdges + 6 * ((f - edges) / 4) + 2 + (f - edges) % 4, 1};
 }
 
+FollowedPartners Discs::partners(const TouchingShape& a, const TouchingShape& b,
+                                 std::uint64_t f) const {
+  constexpr std::uint64_t kOn = TwoDiscs::kOnBody, kBeside = 20;  // rims on a side
+  if (followed(a, b) == 0 || f >= kDiscPair) return {};
+  if (f >= kRimPairs)
+    return {TwoDiscs::kRims + (f - kRimPairs) / 2 * TwoDiscs::kOfRims,
+            f % 2 == kRimPairs % 2 ? std::uint64_t{TwoDiscs::kOfRims} : 0};
+  if (f >= kBOnSide) return {kBeside + f - kBOnSide, 1};
+  if (f >= kAOnSide) return {kOn + kBeside + f - kAOnSide, 1};
+  if (f == kSides) return {TwoDiscs::kSides, 2};
+  const std::uint64_t of = f < 10 ? 0 : kOn;
+  return {of + 2 * (f % 10), 2};
+}
+
 std::string Discs::featureName(const TouchingShape&, const TouchingShape&, std::uint64_t f) const {
+  if (f >= kDiscPair) return TwoDiscs::name(static_cast<int>(f - kDiscPair));
   if (f >= kRimPairs) {
     f -= kRimPairs;
     return "A.rim" + std::to_string(f / 4) + "-B." + ofRim(f / 2 % 2, f % 2);

@@ -149,6 +149,10 @@ void followFeatures(PairReport& report, const DiscFeatures& pairs) {
   followPairs(report, OfRound<DiscFeatures>{report, pairs});
 }
 
+void followFeatures(PairReport& report, const TwoDiscs& pairs) {
+  followPairs(report, OfRound<TwoDiscs>{report, pairs});
+}
+
 void watch(PairReport& report) {
   const std::uint64_t id = report.id();
   const PairKernel& kernel = *report.rule().kernel;

@@ -6,6 +6,7 @@
 #include <dynamy_elements/contacts/pairs/disc_features.hpp>
 #include <dynamy_elements/contacts/pairs/polygon_contact.hpp>
 #include <dynamy_elements/contacts/pairs/polyhedron_contact.hpp>
+#include <dynamy_elements/contacts/pairs/two_discs.hpp>
 
 namespace dynamy {
 
@@ -16,6 +17,7 @@ void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPoly
 void followFeatures(PairReport& report, const CapsuleFeatures& pairs);
 void followFeatures(PairReport& report, const TwoCapsules& pairs);
 void followFeatures(PairReport& report, const DiscFeatures& pairs);
+void followFeatures(PairReport& report, const TwoDiscs& pairs);
 
 /// Reports the contacts of the pair if some of them are requested by key, and notes its contacts if
 /// they may close. Of a pair whose contacts jump exactly those that are requested are reported, also

@@ -81,15 +81,26 @@ bool circleOnSide(const DiscBody& B, BodyCurve circle, double& s, ContactPoint& 
   }
   if (const double f = slope(); !(K * circle.rho > kCross * kCross) || std::abs(f) > 1e-12)
     return false;
+  return placeOnSide(B, circle, 1.0, s, out);
+}
 
+bool placeOnSide(const DiscBody& B, const BodyCurve& circle, double nappe, double& s,
+                 ContactPoint& out) {
+  const double sine = B.sine(), cosine = B.cosine(), z = B.a.dot(circle.x - B.middle(0));
+  const Vec3 beside = B.acrossAxis(circle.x - B.middle(0)), across = B.acrossAxis(circle.t);
+  // Along the line of the side, which passes to the other side of the axis at the tip.
+  const double reach = nappe * beside.norm();
+  if (reach == 0.0) return false;
+  const Vec3 e = beside / reach, turned = (across - across.dot(e) * e) / reach,
+             m = cosine * e + sine * B.a;
+  const double K = cosine * turned.dot(circle.t) + m.dot(circle.curvature());
+  if (K == 0.0) return false;
   // ṡ follows from ẋ = v + ṡ t, and from m·t = 0 for all times.
   const Vec3 &Omega = B.frame->Omega_I, adot = Omega.cross(B.a), v = circle.velocity();
   const Vec3 w = v - B.frame->velocity(circle.x - B.frame->r_OS_I), aside = B.acrossAxis(w);
-  const Vec3 m = cosine * e + sine * B.a;
   const Vec3 resting = cosine * (Omega.cross(e) + (aside - aside.dot(e) * e) / reach) + sine * adot;
   const double sdot = -(resting.dot(circle.t) + m.dot(circle.frame->Omega_I.cross(circle.t))) / K;
-  const Vec3 mdot = resting + sdot * cosine / reach * (across - across.dot(e) * e);
-  const double z = B.a.dot(circle.x - middle);
+  const Vec3 mdot = resting + sdot * cosine * turned;
   s = z * cosine - (reach - B.rho) * sine;
   out.g = (reach - B.rho) * cosine + z * sine - B.r - circle.r;
   setDirections(out, m, mdot, Vec3::Zero());

@@ -23,6 +23,11 @@ ContactPoint pointOnSide(const DiscBody& B, const Frame& frame, const Vec3& p, d
 /// and the normal points away from B. `s`: as in pointOnSide. False: there is no contact.
 bool circleOnSide(const DiscBody& B, BodyCurve circle, double& s, ContactPoint& out);
 
+/// The same at the current point of the circle, which is such a place. `nappe`: −1 beyond the tip of
+/// B, where the line of the side goes on with its normal; else 1.
+bool placeOnSide(const DiscBody& B, const BodyCurve& circle, double nappe, double& s,
+                 ContactPoint& out);
+
 /// Contact of a round feature of B with the cone A; for centres inside, the
 /// nearest of side and base counts.
 ContactPoint ballOnCone(const DiscBody& A, const Frame& B, const RoundFeature& ball);

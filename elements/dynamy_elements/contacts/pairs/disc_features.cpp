@@ -3,9 +3,9 @@
 #include <dynamy/contact/contact_sink.hpp>
 #include <dynamy_elements/contacts/pairs/cone_side.hpp>
 #include <dynamy_elements/contacts/pairs/disc_features.hpp>
+#include <dynamy_elements/contacts/pairs/rim_places.hpp>
 #include <dynamy_elements/contacts/pairs/segments.hpp>
 #include <limits>
-#include <numbers>
 
 namespace dynamy {
 namespace {
@@ -13,58 +13,7 @@ namespace {
 constexpr int kRimPoints = 8, kOfCorner = 5, kOfEdge = 6;
 /// Sine of the tilt below which a rim has no lowest point.
 constexpr double kLevelRim = 1e-12;
-constexpr int kPlaces = 16;  ///< of a circle, between which its distance to a line has one minimum
-constexpr double kBesideFoot = 0.01;  ///< [rad], less than between two places that have a normal
-constexpr int kMostHalvings = 60;
-
 int number(const auto& parts) { return static_cast<int>(parts.size()); }
-
-double beyondEnd(double half, double s) { return (1.0 + kBeyondEnd) * half - std::abs(s); }
-
-/// By how much the lowest point of a rim over a plane with the normal n is below its middle [m].
-double liftOf(const DiscBody& B, int rim, const Vec3& n) {
-  return B.radius(rim) * B.acrossAxis(n).norm();
-}
-
-/// A function of an angle at a place, and its rate.
-struct Slope {
-  double angle, value, rate;
-};
-
-/// Does f(angle) rise through zero between l and r? Two places may come together between them: then
-/// f has an extremum there, on the other side of zero. If so, l and r become a bracket.
-template <class F>
-bool risesThroughZero(const F& f, Slope& l, Slope& r) {
-  if (l.value < 0.0 && r.value >= 0.0) return true;
-  const bool positive = l.value > 0.0;
-  if (!(l.value * r.value > 0.0) || (l.rate < 0.0) != positive || (r.rate > 0.0) != positive)
-    return false;
-  double from = l.angle, to = r.angle;
-  for (int k = 0; k < kMostHalvings && to - from > 1e-12; ++k) {
-    const Slope m = f(0.5 * (from + to));
-    if (m.value * l.value < 0.0) {
-      (positive ? l : r) = m;
-      return true;
-    }
-    ((m.rate < 0.0) == positive ? from : to) = m.angle;
-  }
-  return false;
-}
-
-/// The root of f between l and r, where it is below and above zero.
-template <class F>
-double rootBetween(const F& f, Slope l, Slope r) {
-  for (int k = 0; k < kMostHalvings && r.angle - l.angle > 1e-16; ++k) {
-    const double secant = (l.angle * r.value - r.angle * l.value) / (r.value - l.value);
-    const double m =
-        k % 3 == 2 || !(secant > l.angle && secant < r.angle) ? 0.5 * (l.angle + r.angle) : secant;
-    if (!(m > l.angle && m < r.angle)) break;
-    const Slope at = f(m);
-    if (at.value == 0.0) return m;
-    (at.value < 0.0 ? l : r) = at;
-  }
-  return std::abs(l.value) < std::abs(r.value) ? l.angle : r.angle;
-}
 
 }  // namespace
 
@@ -139,15 +88,6 @@ double DiscFeatures::withinCone(int corner, const Vec3& n) const {
 
 double DiscFeatures::withinEdge(int edge, const Vec3& n) const {
   return withinNormals(body_, body_.edge(edge), A_.R.transpose() * n);
-}
-
-/// From the cap on it passes to corners and other crossings, with a margin; to the side with none.
-double DiscFeatures::withinRim(const BodyCurve& at, int rim, const Vec3& n) const {
-  const double out = kBeyondNormals - n.dot((at.x - at.c) / at.rho);
-  if (B_.half == 0.0) return out;
-  const Vec3 along =
-      B_.tip ? Vec3((B_.middle(1) - at.x) / B_.slant()) : Vec3((rim == 1 ? -1.0 : 1.0) * B_.a);
-  return std::min(out, kBeyondEnd + n.dot(along));
 }
 
 FollowedPair DiscFeatures::rimOverFace(int rim, int face) const {
@@ -253,36 +193,6 @@ FollowedPair DiscFeatures::edgeOnSide(int edge, int normal) const {
   return out;
 }
 
-/// The square of the distance of a place of the circle from the line has the derivative 2 ρ d·t, with
-/// d across the line and t the tangent: a trigonometric polynomial of degree 2.
-DiscFeatures::Nearest DiscFeatures::nearest(const PlacedEdge& e, int rim) const {
-  const Vec3 middle = B_.middle(rim), X = B_.x, Y = B_.a.cross(B_.x);
-  const double rho = B_.radius(rim);
-  const auto slope = [&](double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    const Vec3 out = c * X + s * Y, t = c * Y - s * X, way = middle - e.o + rho * out;
-    const Vec3 d = way - e.e.dot(way) * e.e;
-    const double along = e.e.dot(t);
-    return Slope{angle, d.dot(t), rho * (1.0 - along * along) - d.dot(out)};
-  };
-  Nearest out;
-  const double width = 2.0 * std::numbers::pi / kPlaces;
-  // The places of a line that slides off come together around its place nearest to the middle. The
-  // search begins beside it: that of a line along the axis is there.
-  const Vec3 foot = e.o - middle - e.e.dot(e.o - middle) * e.e;
-  const double first = std::atan2(foot.dot(Y), foot.dot(X)) + kBesideFoot;
-  Slope a = slope(first);
-  for (int i = 1; i <= kPlaces && out.count < 2; ++i) {
-    const Slope b = slope(first + i * width);
-    if (Slope l = a, r = b; risesThroughZero(slope, l, r)) {
-      const double at = rootBetween(slope, l, r);
-      out.at[out.count++] = B_.rim(rim, std::cos(at) * X + std::sin(at) * Y);
-    }
-    a = b;
-  }
-  return out;
-}
-
 ContactPoint DiscFeatures::onRim(const PlacedEdge& e, int edge, const BodyCurve& rim) const {
   BodyCurve line = BodyCurve::line(*A_.frame, e.o, e.e, 0.0);
   line.go(e.e.dot(rim.x - line.x));
@@ -297,7 +207,7 @@ ContactPoint DiscFeatures::onRim(const PlacedEdge& e, int edge, const BodyCurve&
 FollowedPair DiscFeatures::edgeOnRim(int edge, int rim, int which) const {
   const PlacedEdge e = A_.edge(edge);
   if (rim >= B_.rims() || B_.radius(rim) == 0.0) return absent(e.o);
-  const Nearest places = nearest(e, rim);
+  const RimPlaces places = rimPlaces(B_, rim, e);
   const double side = which == 0 ? -1.0 : 1.0;
   const BodyCurve* best = nullptr;
   double most = 0.0, least = 0.0;
@@ -314,9 +224,9 @@ FollowedPair DiscFeatures::edgeOnRim(int edge, int rim, int which) const {
   FollowedPair out;
   out.at = onRim(e, edge, *best);
   const Vec3& n = out.at.d[0];
-  out.presence =
-      std::min({most, beyondEnd(e.half, e.e.dot(best->x - e.o)),
-                size_ * std::min(kBeyondEnd + withinEdge(edge, n), withinRim(*best, rim, n))});
+  out.presence = std::min({most, beyondEnd(e.half, e.e.dot(best->x - e.o)),
+                           size_ * std::min(kBeyondEnd + withinEdge(edge, n),
+                                            withinRim(B_, *best, rim, -n, kBeyondNormals))});
   return out;
 }
 
@@ -360,7 +270,7 @@ void DiscFeatures::near(const Nearness& within, std::vector<int>& out) const {
         out.push_back(first + normal);
     for (int rim = 0; rim < B_.rims(); ++rim) {
       if (B_.radius(rim) == 0.0) continue;
-      const Nearest places = nearest(e, rim);
+      const RimPlaces places = rimPlaces(B_, rim, e);
       bool any = false;
       for (int k = 0; k < places.count; ++k) {
         const double s = e.e.dot(places.at[k].x - e.o);

@@ -34,16 +34,9 @@ class DiscFeatures {
   void near(const Nearness& within, std::vector<int>& out) const;
 
  private:
-  /// Places of a circle that are nearest to a line, at most two.
-  struct Nearest {
-    int count = 0;
-    BodyCurve at[2];
-  };
-  Nearest nearest(const PlacedEdge& e, int rim) const;
   double inside(int face, const Vec3& p) const;  ///< of a face, p in the world
   double withinCone(int corner, const Vec3& n) const;
   double withinEdge(int edge, const Vec3& n) const;
-  double withinRim(const BodyCurve& at, int rim, const Vec3& n) const;
   ContactPoint onRim(const PlacedEdge& e, int edge, const BodyCurve& rim) const;
 
   FollowedPair rimOverFace(int rim, int face) const;

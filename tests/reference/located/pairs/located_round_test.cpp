@@ -1,4 +1,4 @@
-// Capsules on boxes, polyhedra and each other, and cylinders, cones and tori on boxes and polyhedra,
+// Capsules, cylinders, cones and tori on boxes, on polyhedra and on each other,
 // whose pairs of features are followed one by one while they touch (theory 50.9).
 #include <gtest/gtest.h>
 
@@ -119,6 +119,30 @@ TEST(LocatedDiscs, CylindersStayInTouchWithFlatFaces) { expectLocated(Round::cyl
 TEST(LocatedDiscs, ConesStayInTouchWithFlatFaces) { expectLocated(Round::cone, 1); }
 
 TEST(LocatedDiscs, ToriStayInTouchWithFlatFaces) { expectLocated(Round::torus, 1); }
+
+/// Throws at one of each kind.
+void expectLocatedAmongRound(Round kind, int told) {
+  for (const std::string other :
+       {R"(<Capsule radius="0.2" length="0.6")", R"(<Cylinder radius="0.3" length="0.4")",
+        R"(<Cone radius="0.35" length="0.6")", R"(<Torus radius="0.35" tube="0.12")"}) {
+    const Throws flights = throwAt(other, kFlights, kind);
+    EXPECT_GT(flights.impacts, 60) << other;
+    EXPECT_LE(flights.told, told) << other;
+  }
+}
+
+TEST(LocatedDiscs, CapsulesStayInTouchWithRoundBodies) {
+  expectLocatedAmongRound(Round::capsule, 0);
+}
+
+TEST(LocatedDiscs, CylindersStayInTouchWithRoundBodies) {
+  expectLocatedAmongRound(Round::cylinder, 1);
+}
+
+// The tip of one slides over the border of the base of the other.
+TEST(LocatedDiscs, ConesStayInTouchWithRoundBodies) { expectLocatedAmongRound(Round::cone, 2); }
+
+TEST(LocatedDiscs, ToriStayInTouchWithRoundBodies) { expectLocatedAmongRound(Round::torus, 0); }
 
 /// The face of a large box is the plane of a half space, over which features are others.
 TEST(LocatedDiscs, RollAndLieOnABoxAsOnAHalfSpace) {

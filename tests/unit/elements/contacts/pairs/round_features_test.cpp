@@ -7,6 +7,7 @@
 #include <dynamy_elements/contacts/pairs/capsule_features.hpp>
 #include <dynamy_elements/contacts/pairs/disc_features.hpp>
 #include <dynamy_elements/contacts/pairs/round_contact.hpp>
+#include <dynamy_elements/contacts/pairs/two_discs.hpp>
 #include <functional>
 #include <unit/elements/contacts/pairs/pair_shapes.hpp>
 #include <vector>
@@ -48,6 +49,25 @@ RoundPair discOnBox(const Polyhedron& box, const testing::DiscSizes& size) {
   };
   out.separation = [&box, disc](const Frame& A, const Frame& B) {
     return separation(testing::placed(A, box), disc(B));
+  };
+  return out;
+}
+
+RoundPair twoDiscs(const testing::DiscSizes& a, const testing::DiscSizes& b) {
+  RoundPair out;
+  out.count = TwoDiscs::kCount;
+  out.pair = [a, b](const Frame& A, const Frame& B, int f) {
+    const DiscBody of = testing::placedDisc(A, a), on = testing::placedDisc(B, b);
+    return TwoDiscs(of, on, kFlatRim).pair(f);
+  };
+  out.near = [a, b](const Frame& A, const Frame& B, const Nearness& within) {
+    const DiscBody of = testing::placedDisc(A, a), on = testing::placedDisc(B, b);
+    std::vector<int> found;
+    TwoDiscs(of, on, kFlatRim).near(within, found);
+    return found;
+  };
+  out.separation = [a, b](const Frame& A, const Frame& B) {
+    return separation(testing::placedDisc(A, a), testing::placedDisc(B, b));
   };
   return out;
 }
@@ -175,6 +195,18 @@ TEST(RoundFeatures, OfDiscsOnABoxTellWhereTheyTouch) {
     const std::string what = std::to_string(size.half) + ' ' + std::to_string(size.rho);
     expectBoth(discOnBox(box, size), what.c_str());
   }
+}
+
+TEST(RoundFeatures, OfTwoDiscsTellWhereTheyTouch) {
+  constexpr testing::DiscSizes kRod{0.5, 0.0, 0.2};
+  std::vector<testing::DiscSizes> all(std::begin(testing::kDiscs), std::end(testing::kDiscs));
+  all.push_back(kRod);
+  for (const testing::DiscSizes& a : all)
+    for (const testing::DiscSizes& b : all) {
+      const std::string what = std::to_string(a.half) + ' ' + std::to_string(a.rho) + " and " +
+                               std::to_string(b.half) + ' ' + std::to_string(b.rho);
+      expectBoth(twoDiscs(a, b), what.c_str());
+    }
 }
 
 TEST(RoundFeatures, OfCapsulesTellWhereTheyTouch) {
