@@ -54,16 +54,20 @@ double rootBetween(const F& f, Slope l, Slope r) {
 template <class F>
 RimPlaces placesOf(const DiscBody& B, int rim, const Vec3& foot, const F& slope) {
   const Vec3 X = B.x, Y = B.a.cross(B.x);
-  const auto at = [&](double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
+  const auto along = [&](double c, double s, double angle) {
     return slope(Vec3(c * X + s * Y), Vec3(c * Y - s * X), angle);
   };
+  const auto at = [&](double angle) { return along(std::cos(angle), std::sin(angle), angle); };
   RimPlaces out;
   const double width = 2.0 * std::numbers::pi / kPlaces,
-               first = std::atan2(foot.dot(Y), foot.dot(X)) + kBesideFoot;
-  Slope a = at(first);
+               first = std::atan2(foot.dot(Y), foot.dot(X)) + kBesideFoot, stepC = std::cos(width),
+               stepS = std::sin(width);
+  double c = std::cos(first), s = std::sin(first);
+  Slope a = along(c, s, first);
   for (int i = 1; i <= kPlaces && out.count < 2; ++i) {
-    const Slope b = at(first + i * width);
+    const double turned = c * stepC - s * stepS;
+    s = s * stepC + c * stepS, c = turned;
+    const Slope b = along(c, s, first + i * width);
     if (Slope l = a, r = b; risesThroughZero(at, l, r)) {
       const double root = rootBetween(at, l, r);
       out.at[out.count++] = B.rim(rim, std::cos(root) * X + std::sin(root) * Y);

@@ -33,6 +33,12 @@ Vec3 outOfRim(const DiscBody& D, int rim, const BodyCurve& at) {
   return D.cosine() * out + D.sine() * D.a + (rim == 1 ? 1.0 : -1.0) * D.a;
 }
 
+/// Distance of p from the circle of a rim [m].
+double fromRim(const DiscBody& D, int rim, const Vec3& p) {
+  const Vec3 way = p - D.middle(rim);
+  return std::hypot(way.dot(D.a), D.acrossAxis(way).norm() - D.radius(rim));
+}
+
 /// Features of B on the caps and the side of A.
 struct RimsOn {
   const DiscBody &A, &B;
@@ -268,9 +274,7 @@ bool TwoDiscs::choose(int i, int j, int which, BodyCurve& at, double& presence) 
   bool any = false;
   double least = 0.0;
   for (int k = 0; k < places.count; ++k) {
-    const Vec3 &x = places.at[k].x, way = x - B_.middle(j);
-    const double here = holds(x),
-                 distance = std::hypot(way.dot(B_.a), B_.acrossAxis(way).norm() - B_.radius(j));
+    const double here = holds(places.at[k].x), distance = fromRim(B_, j, places.at[k].x);
     const bool better = !any || (here > 0.0 && presence > 0.0 ? distance < least : here > presence);
     if (better) at = places.at[k], presence = here, least = distance, any = true;
   }
@@ -304,9 +308,27 @@ void TwoDiscs::near(const Nearness& within, std::vector<int>& out) const {
   // A presence changes with the ways of bodies, and with the turns of normals.
   const double turns = kBeyondNormals + 20.0 * within.turn;
   const double least = -within.reach - turns * size_ - within.turn * std::max(A_.rho, B_.rho);
-  for (int f = 0; f < kCount; ++f)
+  for (int f = 0; f < kCount; ++f) {
+    if (f >= kRims && (f - kRims) % kOfRims == 0) {
+      const int rim = (f - kRims) / kOfRims;
+      if (!rimsNear(rim / 2, rim % 2, within.reach)) {
+        f += kOfRims - 1;
+        continue;
+      }
+    }
     if (FollowedPair at; find(f, at) && std::abs(at.at.g) <= within.reach && at.presence >= least)
       out.push_back(f);
+  }
+}
+
+/// Is a place of A's rim i within `reach` of B's rim j?
+bool TwoDiscs::rimsNear(int i, int j, double reach) const {
+  if (i >= A_.rims() || j >= B_.rims()) return false;
+  if (A_.radius(i) == 0.0 || B_.radius(j) == 0.0) return true;
+  const RimPlaces places = rimPlaces(A_, i, B_, j);
+  for (int k = 0; k < places.count; ++k)
+    if (fromRim(B_, j, places.at[k].x) <= A_.r + B_.r + reach) return true;
+  return false;
 }
 
 }  // namespace dynamy

@@ -40,6 +40,7 @@ class TwoDiscs {
   bool sides(int normal, FollowedPair& out) const;
   bool rims(int i, int j, int which, FollowedPair& out) const;
   bool ends(int i, int j, FollowedPair& out) const;
+  bool rimsNear(int i, int j, double reach) const;
   bool choose(int i, int j, int which, BodyCurve& at, double& presence) const;
 
   const DiscBody &A_, &B_;

@@ -15,6 +15,7 @@ namespace {
 constexpr double kEnergy = RunTrust::kWarned;  ///< of the largest kinetic energy
 constexpr double kMuchOverlap = 0.01;          ///< of the scene's length
 constexpr double kOverlapWays = 2.0;           ///< of the distance in a step
+constexpr double kMostOfRun = 0.5;             ///< share of the time, stepped
 constexpr double kSameOverlap = 1.01;          ///< of the overlap at the start
 constexpr double kStart = 1e-6;                ///< of the scene's length
 constexpr double kJoint = 1e-3;                ///< of the scene's length
@@ -173,9 +174,12 @@ void aboutStepping(const RunReport& r, Warnings& out) {
            "{} (t = {:.6g} s): {:.4g} s in {} period{} were stepped in time for {} system{} "
            "with steps up to {:.2g} s, whose errors reach {:.2g} times the tolerance each and "
            "add up to {:.2g} times; it is not promised for them, nor for what they touch, "
-           "from there on",
+           "from there on{}",
            cause, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
-           s.systems == 1 ? "" : "s", s.longest, s.error, s.total),
+           s.systems == 1 ? "" : "s", s.longest, s.error, s.total,
+           s.time > kMostOfRun * r.t ? "; that is most of the run: where many bodies stay in "
+                                       "contact a step (--step 1e-3) is the better choice"
+                                     : ""),
        s.periods, s.first.t, s.first.name});
 }
 
