@@ -14,6 +14,8 @@ constexpr int kCapRims = 4, kCapPoints = 16;  ///< numbers of pairs, of rims on 
 constexpr int kParts = 8;                     ///< of a rim
 /// Sine between two axes up to which their rims lie in nearly one plane.
 constexpr double kOnePlane = 0.5;
+/// Part of the size within which a sharp rim is at the tip of a cone.
+constexpr double kAtTip = 1e-4;
 /// Sine of the tilt below which a rim has no lowest point.
 constexpr double kLevelTilt = 1e-12;
 
@@ -50,13 +52,15 @@ struct RimsOn {
     return {*A.frame, (cap == 1 ? 1.0 : -1.0) * A.a, A.c, A.half + A.r, A.x, 1.0, true};
   }
 
-  /// Of a ball of B's tube about p from the side of a cone, which goes on beyond its tip; else of p
-  /// from the axis [m].
+  /// Of a ball of B's tube about p from the side of a cone, more beyond its tip, whose places count
+  /// where there is no other; else of p from the axis [m].
   double distanceOf(const Vec3& p) const {
     const Vec3 way = p - (A.tip ? A.middle(1) : A.c);
     const double out = A.acrossAxis(way).norm();
     if (!A.tip) return out;
-    return std::abs(out * A.cosine() + nappeAt(A, B, way) * A.sine() * A.a.dot(way) - B.r);
+    const double nappe = nappeAt(A, B, way);
+    return std::abs(out * A.cosine() + nappe * A.sine() * A.a.dot(way) - B.r) +
+           (nappe < 0.0 ? A.slant() : 0.0);
   }
 
   bool overCap(int rim, int cap, FollowedPair& out) const {
@@ -136,7 +140,9 @@ struct RimsOn {
     if (A.tip) {
       double s = 0.0;
       if (!placeOnSide(A, at, nappeAt(A, B, at.x - A.middle(1)), s, out.at)) return false;
-      beyond = beyondEnd(0.5 * A.slant(), s - 0.5 * A.slant());
+      // At the tip a sharp rim has no normal: its place is there once it is apart.
+      const double apart = B.r > 0.0 ? -kBeyondEnd * A.slant() : kAtTip * size;
+      beyond = std::min(s + kBeyondEnd * A.slant(), A.slant() - s - apart);
     } else {
       BodyCurve axis = BodyCurve::line(*A.frame, A.c, A.a, A.rho + A.r);
       axis.go(A.a.dot(at.x - A.c));
