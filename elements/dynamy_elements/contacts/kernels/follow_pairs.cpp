@@ -32,15 +32,21 @@ bool farApart(const PosedPair& pair, double reach) {
   return way.norm() > a.bound + b.bound + reach;
 }
 
+/// Are the shapes of the pair further than `reach` apart at a glance?
+bool apartAtOnce(const PairReport& report, double reach) {
+  const PosedPair& pair = report.pair();
+  if (farApart(pair, reach)) return true;
+  // If `reach` is beyond the bodies' bounds, surfaces count as near whatever their gap is.
+  const bool small = reach < std::min(pair.a.bound, pair.b.bound) && report.rule().plane == 0;
+  return small && seenApart(pair.a, pair.b, pair.A, pair.B, reach);
+}
+
 /// Gap of the pair, infinite if it cannot close within the time that is looked ahead.
 double closingGap(const PairReport& report) {
   const PosedPair& pair = report.pair();
   const double reach = movesWithin(pair, report.request().ahead).reach;
-  if (farApart(pair, reach)) return kInfinity;
-  // If `reach` is beyond the bodies' bounds, surfaces count as near whatever their gap is.
+  if (apartAtOnce(report, reach)) return kInfinity;
   const double bound = std::min(pair.a.bound, pair.b.bound);
-  const bool small = reach < bound && report.rule().plane == 0;
-  if (small && seenApart(pair.a, pair.b, pair.A, pair.B, reach)) return kInfinity;
   // Contacts on surfaces are found up to the smaller of the two bounds only.
   const double gap = report.rule().kernel->gap(pair, 0);
   if (std::min(gap, bound) > reach) return kInfinity;
@@ -116,7 +122,7 @@ void followPairs(PairReport& report, const Pairs& pairs) {
   const double tau = sink.request().ahead;
   if (tau < 0.0) return;
   Nearness within = movesWithin(report.pair(), tau);
-  if (farApart(report.pair(), within.reach)) return;
+  if (apartAtOnce(report, within.reach)) return;
   const double gap = pairs.separation();
   if (gap > within.reach) return;
   sink.overlap(-gap, report.id(), false);
