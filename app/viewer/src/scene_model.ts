@@ -53,6 +53,11 @@ export class SceneModel {
     return sheetOf(this.plane(shape, t), scaled(add(lo, hi), 0.5), share * size, most, this.endsOf(shape, t));
   }
 
+  /** The part of a half space around a place that is looked at. */
+  sheetAround(shape: SceneShape, t: number, middle: V3, half: number, most: number): Sheet {
+    return sheetOf(this.plane(shape, t), middle, half, most, this.endsOf(shape, t));
+  }
+
   private pointsOf(shape: SceneShape, t: number): V3[] {
     const pose = this.shapePose(shape, t), R = shape.radius ?? 0;
     if (shape.kind === "sphere" && this.bodies.length > 300) {

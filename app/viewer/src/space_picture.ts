@@ -16,7 +16,10 @@ const kMany = 1500;  // from here on, and without a graphics card: coarse sphere
 /** An instance: its frame, its place in the frame with its sizes, its shape. */
 interface Instance { frame: number; local: Matrix4; shape: SceneShape }
 /** The sheet of a half space, its lines, its outline, and the pose of its frame that they were made for. */
-interface Ground { sheet: Mesh; lines: LineSegments; outline: LineLoop; shape: SceneShape; made: Matrix4 }
+interface Ground {
+  sheet: Mesh; lines: LineSegments; outline: LineLoop; shape: SceneShape; made: Matrix4;
+  near: LineSegments; seen: string;  // lines of what is looked at, and what that was
+}
 interface Group { mesh: InstancedMesh; instances: Instance[]; moving: boolean; edges: LineSegments[]; balls: boolean }
 
 export class SpacePicture {
@@ -133,7 +136,7 @@ export class SpacePicture {
 
   /** The scene has become larger: its grounds are made anew. */
   remeasured(): void {
-    for (const {sheet, lines, outline} of this.grounds.splice(0)) this.scene.remove(sheet, lines, outline);
+    for (const {sheet, lines, outline, near} of this.grounds.splice(0)) this.scene.remove(sheet, lines, outline, near);
     for (const shape of this.model.grounds) this.addGround(shape, !this.renderer.shadowMap.enabled);
     this.sun.shadow.normalBias = 0.004 * this.model.extent.size;
     this.recolour();
@@ -153,19 +156,21 @@ export class SpacePicture {
     const sheet = new Mesh(plane, many ? new MeshBasicMaterial(offset) : new MeshLambertMaterial(offset));
     sheet.receiveShadow = !many;
     const ground: Ground = {sheet, lines: new LineSegments(geometry(lines.flat()), lineMaterial()),
-      outline: new LineLoop(geometry(outline), lineMaterial()), shape, made: new Matrix4()};
+      outline: new LineLoop(geometry(outline), lineMaterial()), shape, made: new Matrix4(),
+      near: new LineSegments(new BufferGeometry(), lineMaterial()), seen: ""};
     if (shape.frame >= 0) {
       const {r, q} = this.model.film.pose(shape.frame, begin);
       ground.made.copy(poseMatrix(r, q)).invert();
     }
-    for (const o of [sheet, ground.lines, ground.outline]) { o.matrixAutoUpdate = false; o.frustumCulled = false; }
-    this.scene.add(sheet, ground.lines, ground.outline);
+    for (const o of [sheet, ground.lines, ground.outline, ground.near]) { o.matrixAutoUpdate = false; o.frustumCulled = false; }
+    this.scene.add(sheet, ground.lines, ground.outline, ground.near);
     this.grounds.push(ground);
   }
 
   /** Moves the half spaces of moving bodies. The lines of one that is seen from behind would cross the scene: its outline stays. */
   private placeGrounds(camera: Camera, t: number): void {
-    for (const {sheet, lines, outline, shape, made} of this.grounds) {
+    for (const ground of this.grounds) {
+      const {sheet, lines, outline, shape, made, near} = ground;
       if (shape.frame >= 0) {
         for (const o of [sheet, lines, outline]) {
           o.matrix.multiplyMatrices(this.frames[shape.frame], made);
@@ -174,7 +179,28 @@ export class SpacePicture {
       }
       const {c, n} = this.model.plane(shape, t), D = camera.hasDepth ? camera.distance : 1e3 * this.model.extent.size;
       lines.visible = dot(n, sub(add(camera.centre, scaled(camera.toward, D)), c)) > 0;
+      near.visible = lines.visible && this.stands(shape, t) && this.lookedAt(ground, camera, t);
     }
+  }
+
+  /** Is the ground where it was at the start? */
+  private stands({frame}: SceneShape, t: number): boolean {
+    if (frame < 0) return true;
+    const {film} = this.model, a = film.pose(frame, film.begin), b = film.pose(frame, t);
+    return a.r.every((x, i) => x === b.r[i]) && a.q.every((x, i) => x === b.q[i]);
+  }
+
+  /** Lines around what is looked at, if that is a small part of the ground: else nothing tells that a body travels. */
+  private lookedAt(ground: Ground, camera: Camera, t: number): boolean {
+    const half = 1.5 * Math.max(camera.width, camera.height) / camera.scale;
+    if (half > 0.3 * this.model.extent.size) return false;
+    const steps = camera.centre.map(x => Math.round(4 * x / half)), seen = `${half.toPrecision(3)} ${steps.join(" ")}`;
+    if (seen === ground.seen) return true;
+    ground.seen = seen;
+    const {lines} = this.model.sheetAround(ground.shape, t, steps.map(k => k * half / 4) as V3, half, 14);
+    ground.near.geometry.dispose();
+    ground.near.geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(lines.flat(2), 3));
+    return true;
   }
 
   /** Colours of the theme; `selected` is brighter. */
@@ -194,10 +220,10 @@ export class SpacePicture {
       if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
     }
     for (const {shape, object} of this.links) (object.material as LineBasicMaterial).color.set(mixed(colourOf(shape), -0.2));
-    for (const {sheet, lines, outline} of this.grounds) {
+    for (const {sheet, lines, outline, near} of this.grounds) {
       const lit = sheet.material instanceof MeshLambertMaterial;
       (sheet.material as MeshBasicMaterial).color.set(theme.dark ? "#2a323b" : lit ? "#dfe4e9" : "#e7edf4");
-      for (const o of [lines, outline]) (o.material as LineBasicMaterial).color.set(theme.groundLine);
+      for (const o of [lines, outline, near]) (o.material as LineBasicMaterial).color.set(theme.groundLine);
     }
     this.fill.intensity = theme.dark ? 1.1 : 1.6;
   }
