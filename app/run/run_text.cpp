@@ -271,8 +271,10 @@ std::string resultText(const Model& model, const RunReport& r,
                        r.solver.iterationsMax);
     out += r.solver.unconverged == 0
                ? (r.solver.residual.value > kSolvedResidual
-                      ? fmt::format("all converged, to residual {:.2g} at most\n",
-                                    r.solver.residual.value)
+                      ? fmt::format(
+                            "all converged, to residual {:.2g} at most; a tolerance of the solver "
+                            "asks for less: <Automatic tolerance=\"1e-10\"/>\n",
+                            r.solver.residual.value)
                       : "all converged\n")
                : fmt::format("{} NOT CONVERGED, worst residual {:.2g} at {} (t = {:.6g} s)\n",
                              r.solver.unconverged, r.solver.residual.value, r.solver.residual.name,
