@@ -201,6 +201,22 @@ std::optional<std::string> withIndices(std::string_view inner, const SymbolTable
   return isSignalName(out) ? std::optional(out) : std::nullopt;
 }
 
+/// Keeps the name of a signal, which is read in each evaluation, not now. False: it is none. Throws
+/// ExpressionError.
+bool keepSignal(std::string_view inner, const SymbolTable& symbols, std::size_t begin,
+                std::size_t end, ResolvedText& out) {
+  if (inner.find('[') == std::string_view::npos) {
+    if (!isSignalName(inner)) return false;
+    out.text += '{' + std::string(inner) + '}';
+    return true;
+  }
+  const std::optional<std::string> name = withIndices(inner, symbols);
+  if (!name) return false;
+  out.pieces.push_back({out.text.size(), name->size() + 2, begin, end - begin});
+  out.text += '{' + *name + '}';
+  return true;
+}
+
 }  // namespace
 
 std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const XmlNode& node,
@@ -239,28 +255,21 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
       return std::nullopt;
     }
     const std::string_view inner = std::string_view(value).substr(at + 1, end - at - 2);
-    const bool indexed = inner.find('[') != std::string_view::npos;
-    if (formula && !indexed && isSignalName(inner)) {  // read in each evaluation, not now
-      out.text.append(value, at, end - at);
-      at = end;
-      continue;
-    }
     // The expression between the braces becomes a number.
     try {
-      if (const auto name = formula && indexed ? withIndices(inner, symbols) : std::nullopt) {
-        out.pieces.push_back({out.text.size(), name->size() + 2, at, end - at});
-        out.text += '{' + *name + '}';
+      if (formula && keepSignal(inner, symbols, at, end, out)) {
         at = end;
         continue;
       }
-      if (indexed && !formula)
-        throw ExpressionError("parameters have no index", inner.find('['), 1);
+      if (const std::size_t index = inner.find('['); index != std::string_view::npos && !formula)
+        throw ExpressionError("parameters have no index", index, 1);
       const double x = evaluateConstant(inner, symbols);
       if (!std::isfinite(x))
         fault(at, end - at, "the expression has no finite value, is " + numberText(x));
       out.add(x, formula, at, end);
     } catch (const ExpressionError& found) {
-      const ExpressionError e = indexed ? found : withAllNames(inner, scope, found);
+      const ExpressionError e =
+          inner.find('[') < inner.size() ? found : withAllNames(inner, scope, found);
       fault(at + 1 + e.offset(), e.length(), e.message(), formulaHint(e));
     }
     at = end;
