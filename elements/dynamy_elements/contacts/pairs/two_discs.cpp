@@ -16,6 +16,8 @@ constexpr int kParts = 8;                     ///< of a rim
 constexpr double kOnePlane = 0.5;
 /// Part of the size within which a sharp rim is at the tip of a cone.
 constexpr double kAtTip = 1e-4;
+/// Of the depth of a tip below a cap, from its presence there.
+constexpr double kBelow = 10.0;
 /// Sine of the tilt below which a rim has no lowest point.
 constexpr double kLevelTilt = 1e-12;
 
@@ -78,8 +80,11 @@ struct RimsOn {
     ContactPoint there;
     on.contact(*B.frame, out.at.P, there);
     out.at.g = there.g;
-    // A tip that touches the side of the body at the border is not over the cap.
-    out.presence = insideCap(out.at.P) + (rho + B.r > 0.0 ? kBeyondEnd : -kSameFeature) * size;
+    // A tip counts beyond the border up to where its side takes over; one that touches the side of
+    // the body there is not over the cap.
+    const double beyond =
+        rho + B.r > 0.0 ? kBeyondEnd * size : kAtTip * size - kBelow * std::max(0.0, -out.at.g);
+    out.presence = insideCap(out.at.P) + beyond;
     if (const double raised = lifted - ContactSink::kLowest * flat;
         rho > 0.0 && raised < out.presence) {
       out.presence = raised;

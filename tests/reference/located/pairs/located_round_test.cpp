@@ -140,7 +140,7 @@ TEST(LocatedDiscs, CylindersStayInTouchWithRoundBodies) {
 }
 
 // The tip of one slides over the border of the base of the other.
-TEST(LocatedDiscs, ConesStayInTouchWithRoundBodies) { expectLocatedAmongRound(Round::cone, 2); }
+TEST(LocatedDiscs, ConesStayInTouchWithRoundBodies) { expectLocatedAmongRound(Round::cone, 1); }
 
 TEST(LocatedDiscs, ToriStayInTouchWithRoundBodies) { expectLocatedAmongRound(Round::torus, 0); }
 
