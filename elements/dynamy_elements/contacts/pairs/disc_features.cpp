@@ -11,8 +11,6 @@ namespace dynamy {
 namespace {
 
 constexpr int kRimPoints = 8, kOfCorner = 5, kOfEdge = 6;
-/// Sine of the tilt below which a rim has no lowest point.
-constexpr double kLevelRim = 1e-12;
 int number(const auto& parts) { return static_cast<int>(parts.size()); }
 
 }  // namespace
@@ -76,8 +74,7 @@ double DiscFeatures::inside(int face, const Vec3& p) const {
   return dynamy::inside(body_, body_.face(face), A_.R.transpose() * (p - A_.c));
 }
 
-/// Sines of the angles by which n lies within the normals of a corner, of an edge, and of a rim, this
-/// one with its margins.
+/// Sines of the angles by which n lies within the normals of a corner, and of an edge.
 double DiscFeatures::withinCone(int corner, const Vec3& n) const {
   const Vec3 local = A_.R.transpose() * n;
   double least = std::numeric_limits<double>::infinity();
@@ -92,38 +89,17 @@ double DiscFeatures::withinEdge(int edge, const Vec3& n) const {
 
 FollowedPair DiscFeatures::rimOverFace(int rim, int face) const {
   if (rim >= B_.rims()) return absent(B_.c);
-  const PlacedFace on = A_.face(face, 1.0, true);
-  const Vec3 n = A_.R * body_.face(face).n;
-  const double rho = B_.radius(rim), lifted = liftOf(B_, rim, n);
-  FollowedPair out;
-  if (rho > 0.0 && lifted <= kLevelRim * rho) {
-    out = pointOverFace(rim, 0, face);
-    out.presence = lifted - ContactSink::kLowest * flat_;
-    return out;
-  }
-  on.contact(*B_.frame, B_.c, out.at);
-  wander(B_, rim, out.at);
-  ContactPoint there;
-  on.contact(*B_.frame, out.at.P, there);
-  out.at.g = there.g;
   // A tip passes the border of a face as a corner does.
-  out.presence = (rho > 0.0 ? kBeyondEnd * size_ : same_) + inside(face, out.at.P);
-  if (const double raised = lifted - ContactSink::kLowest * flat_;
-      rho > 0.0 && raised < out.presence) {
-    out.presence = raised;
-    if (lifted < DiscBody::kFlat * rho) out.circle = lifted;
-  }
-  return out;
+  const double beyond = B_.radius(rim) > 0.0 ? kBeyondEnd * size_ : same_;
+  return rimOverPlane(A_.face(face, 1.0, true), A_.R * body_.face(face).n, B_, rim, flat_,
+                      [&](const ContactPoint& at) { return beyond + inside(face, at.P); });
 }
 
 FollowedPair DiscFeatures::pointOverFace(int rim, int k, int face) const {
   if (rim >= B_.rims() || B_.radius(rim) == 0.0) return absent(B_.c);
-  const Vec3 n = A_.R * body_.face(face).n, p = B_.point(rim, k) - B_.r * n;
-  FollowedPair out;
-  A_.face(face, 1.0, true).contact(*B_.frame, p, out.at);
-  // The contact of a tube with the face stays below the middle of the tube.
-  out.at.Pdot += B_.r * (B_.frame->Omega_I.cross(n) - out.at.ddot[0]);
-  out.presence = std::min(same_ + inside(face, p), flat_ - liftOf(B_, rim, n));
+  const Vec3 n = A_.R * body_.face(face).n;
+  FollowedPair out = pointOverPlane(A_.face(face, 1.0, true), n, B_, rim, k, flat_);
+  out.presence = std::min(same_ + inside(face, B_.point(rim, k) - B_.r * n), out.presence);
   return out;
 }
 
@@ -209,16 +185,10 @@ FollowedPair DiscFeatures::edgeOnRim(int edge, int rim, int which) const {
   if (rim >= B_.rims() || B_.radius(rim) == 0.0) return absent(e.o);
   const RimPlaces places = rimPlaces(B_, rim, e);
   const double side = which == 0 ? -1.0 : 1.0;
-  const BodyCurve* best = nullptr;
-  double most = 0.0, least = 0.0;
-  for (int k = 0; k < places.count; ++k) {
-    const BodyCurve& at = places.at[k];
-    const double along = side * e.e.dot(at.x - at.c) + kBeyondEnd * size_, s = e.e.dot(at.x - e.o),
-                 distance = (at.x - e.o - s * e.e).norm();
-    const bool better =
-        best == nullptr || (along > 0.0 && most > 0.0 ? distance < least : along > most);
-    if (better) best = &at, most = along, least = distance;
-  }
+  double most = 0.0;
+  const BodyCurve* best = places.chosen(
+      [&](const BodyCurve& at) { return side * e.e.dot(at.x - at.c) + kBeyondEnd * size_; },
+      [&](const BodyCurve& at) { return (at.x - e.o - e.e.dot(at.x - e.o) * e.e).norm(); }, most);
   // A sharp rim along an edge has no normal.
   if (best == nullptr || (B_.r == 0.0 && e.e.cross(best->t).norm() < kCross)) return absent(e.o);
   FollowedPair out;

@@ -131,6 +131,16 @@ RimPlaces rimPlaces(const DiscBody& B, int rim, const DiscBody& A, int other) {
   });
 }
 
+FollowedPair pointOverPlane(const PlacedFace& on, const Vec3& n, const DiscBody& B, int rim, int k,
+                            double flat) {
+  FollowedPair out;
+  on.contact(*B.frame, B.point(rim, k) - B.r * n, out.at);
+  // The contact of a tube with the plane stays below the middle of the tube.
+  out.at.Pdot += B.r * (B.frame->Omega_I.cross(n) - out.at.ddot[0]);
+  out.presence = flat - liftOf(B, rim, n);
+  return out;
+}
+
 double withinRim(const DiscBody& B, const BodyCurve& at, int rim, const Vec3& m, double cap) {
   const double out = cap + m.dot(at.x - at.c) / at.rho;
   if (B.half == 0.0) return out;

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/contact_sink.hpp>
 #include <dynamy_elements/contacts/pairs/cone_side.hpp>
 #include <dynamy_elements/contacts/pairs/segments.hpp>
 #include <dynamy_elements/contacts/pairs/two_discs.hpp>
-#include <limits>
 #include <numbers>
 
 namespace dynamy {
@@ -18,8 +16,6 @@ constexpr double kOnePlane = 0.5;
 constexpr double kAtTip = 1e-4;
 /// Of the depth of a tip below a cap, from its presence there.
 constexpr double kBelow = 10.0;
-/// Sine of the tilt below which a rim has no lowest point.
-constexpr double kLevelTilt = 1e-12;
 
 /// Length of the side along its lines [m].
 double sideLength(const DiscBody& D) { return D.tip ? D.slant() : 2.0 * D.half; }
@@ -50,8 +46,9 @@ struct RimsOn {
 
   bool hasCap(int cap) const { return A.rho > 0.0 && !(A.tip && cap == 1); }
   double insideCap(const Vec3& p) const { return A.rho - A.acrossAxis(p - A.c).norm(); }
+  Vec3 normal(int cap) const { return (cap == 1 ? 1.0 : -1.0) * A.a; }
   PlacedFace face(int cap) const {
-    return {*A.frame, (cap == 1 ? 1.0 : -1.0) * A.a, A.c, A.half + A.r, A.x, 1.0, true};
+    return {*A.frame, normal(cap), A.c, A.half + A.r, A.x, 1.0, true};
   }
 
   /// Of a ball of B's tube about p from the side of a cone, more beyond its tip, whose places count
@@ -67,39 +64,21 @@ struct RimsOn {
 
   bool overCap(int rim, int cap, FollowedPair& out) const {
     if (rim >= B.rims() || !hasCap(cap)) return false;
-    const PlacedFace on = face(cap);
-    const Vec3 n = (cap == 1 ? 1.0 : -1.0) * A.a;
-    const double rho = B.radius(rim), lifted = liftOf(B, rim, n);
-    if (rho > 0.0 && lifted <= kLevelTilt * rho) {
-      pointOverCap(rim, 0, cap, out);
-      out.presence = lifted - ContactSink::kLowest * flat;
-      return true;
-    }
-    on.contact(*B.frame, B.c, out.at);
-    wander(B, rim, out.at);
-    ContactPoint there;
-    on.contact(*B.frame, out.at.P, there);
-    out.at.g = there.g;
-    // A tip counts beyond the border up to where its side takes over; one that touches the side of
-    // the body there is not over the cap.
-    const double beyond =
-        rho + B.r > 0.0 ? kBeyondEnd * size : kAtTip * size - kBelow * std::max(0.0, -out.at.g);
-    out.presence = insideCap(out.at.P) + beyond;
-    if (const double raised = lifted - ContactSink::kLowest * flat;
-        rho > 0.0 && raised < out.presence) {
-      out.presence = raised;
-      if (lifted < DiscBody::kFlat * rho) out.circle = lifted;
-    }
+    const bool tip = B.radius(rim) + B.r == 0.0;
+    out = rimOverPlane(face(cap), normal(cap), B, rim, flat, [&](const ContactPoint& at) {
+      // A tip counts beyond the border up to where its side takes over; one that touches the side of
+      // the body there is not over the cap.
+      return insideCap(at.P) +
+             (tip ? kAtTip * size - kBelow * std::max(0.0, -at.g) : kBeyondEnd * size);
+    });
     return true;
   }
 
   bool pointOverCap(int rim, int k, int cap, FollowedPair& out) const {
     if (rim >= B.rims() || B.radius(rim) == 0.0 || !hasCap(cap)) return false;
-    const Vec3 n = (cap == 1 ? 1.0 : -1.0) * A.a, p = B.point(rim, k) - B.r * n;
-    face(cap).contact(*B.frame, p, out.at);
-    // The contact of a tube with the cap stays below the middle of the tube.
-    out.at.Pdot += B.r * (B.frame->Omega_I.cross(n) - out.at.ddot[0]);
-    out.presence = std::min(kSameFeature * size + insideCap(p), flat - liftOf(B, rim, n));
+    out = pointOverPlane(face(cap), normal(cap), B, rim, k, flat);
+    const double inside = insideCap(B.point(rim, k) - B.r * normal(cap));
+    out.presence = std::min(kSameFeature * size + inside, out.presence);
     return true;
   }
 
@@ -129,17 +108,13 @@ struct RimsOn {
     const RimPlaces places =
         A.tip ? rimPlacesOverCone(B, rim, A) : rimPlaces(B, rim, PlacedEdge{A.c, A.a, A.half});
     const double side = which == 0 ? -1.0 : 1.0;
-    const BodyCurve* best = nullptr;
-    double most = 0.0, least = 0.0;
-    for (int k = 0; k < places.count; ++k) {
-      const BodyCurve& at = places.at[k];
-      const double along = side * A.a.dot(at.x - at.c) + kBeyondEnd * size,
-                   distance = distanceOf(at.x);
-      const bool better =
-          best == nullptr || (along > 0.0 && most > 0.0 ? distance < least : along > most);
-      if (better) best = &at, most = along, least = distance;
-    }
-    if (best == nullptr || (!A.tip && !(least > kCross * (A.rho + A.r)))) return false;
+    double most = 0.0;
+    const BodyCurve* best = places.chosen(
+        [&](const BodyCurve& at) { return side * A.a.dot(at.x - at.c) + kBeyondEnd * size; },
+        [&](const BodyCurve& at) { return distanceOf(at.x); }, most);
+    // A rim through the axis of a cylinder has no normal to its side.
+    if (best == nullptr || (!A.tip && !(distanceOf(best->x) > kCross * (A.rho + A.r))))
+      return false;
     BodyCurve at = *best;
     double beyond = 0.0;
     if (A.tip) {
@@ -243,7 +218,7 @@ bool TwoDiscs::ends(int i, int j, FollowedPair& out) const {
   double outA = 0.0, outB = 0.0;
   const auto onTube = [&](const DiscBody& D, int rim, const DiscBody& of, int end) {
     const Vec3 p = of.middle(end), to = p - D.middle(rim), beside = D.acrossAxis(to);
-    if (!(beside.norm() > kLevelTilt * D.rho)) return false;
+    if (!(beside.norm() > kLevelRim * D.rho)) return false;
     const BodyCurve at = D.rim(rim, to);
     out.at = pointOnCurve(at, *of.frame, p, of.r, beside.normalized());
     outA = withinRim(D, at, rim, out.at.d[0], kBeyondEnd);
@@ -271,27 +246,24 @@ bool TwoDiscs::choose(int i, int j, int which, BodyCurve& at, double& presence) 
   const double sine = A_.a.cross(B_.a).norm(), rho = A_.radius(i);
   const Vec3 aside = A_.a.cross(B_.middle(j) - middle);
   const double length = aside.norm();
-  if (which < 2 && !(length > kLevelTilt * rho)) return false;
+  if (which < 2 && !(length > kLevelRim * rho)) return false;
   const RimPlaces places = rimPlaces(A_, i, B_, j);
   const Vec3 Y = A_.a.cross(A_.x);
-  const auto holds = [&](const Vec3& x) {
-    if (which < 2)
-      return (which == 0 ? -1.0 : 1.0) * aside.dot(x - middle) / length + kBeyondEnd * size_;
-    const double angle = std::atan2(Y.dot(x - middle), A_.x.dot(x - middle)),
+  const auto holds = [&](const BodyCurve& place) {
+    const Vec3 way = place.x - middle;
+    if (which < 2) return (which == 0 ? -1.0 : 1.0) * aside.dot(way) / length + kBeyondEnd * size_;
+    const double angle = std::atan2(Y.dot(way), A_.x.dot(way)),
                  width = 2.0 * std::numbers::pi / kParts;
     const double off = std::remainder(angle - width * (which - 1.5), 2.0 * std::numbers::pi);
     return rho * (0.5 * width - std::abs(off)) + kBeyondEnd * size_;
   };
-  bool any = false;
-  double least = 0.0;
-  for (int k = 0; k < places.count; ++k) {
-    const double here = holds(places.at[k].x), distance = fromRim(B_, j, places.at[k].x);
-    const bool better = !any || (here > 0.0 && presence > 0.0 ? distance < least : here > presence);
-    if (better) at = places.at[k], presence = here, least = distance, any = true;
-  }
+  const BodyCurve* best = places.chosen(
+      holds, [&](const BodyCurve& place) { return fromRim(B_, j, place.x); }, presence);
+  if (best == nullptr) return false;
+  at = *best;
   const double plane = kBeyondEnd + (which < 2 ? kOnePlane - sine : sine - kOnePlane);
   presence = std::min(presence, size_ * plane);
-  return any;
+  return true;
 }
 
 bool TwoDiscs::rims(int i, int j, int which, FollowedPair& out) const {

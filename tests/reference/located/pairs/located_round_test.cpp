@@ -144,6 +144,39 @@ TEST(LocatedDiscs, ConesStayInTouchWithRoundBodies) { expectLocatedAmongRound(Ro
 
 TEST(LocatedDiscs, ToriStayInTouchWithRoundBodies) { expectLocatedAmongRound(Round::torus, 0); }
 
+/// A body that slides without friction off the top of a fixed one, whose middles stay R apart, leaves
+/// it where m v²/R = m g cos θ: cos θ = 2/3 cos θ₀ from rest at θ₀. From there on its velocity to the
+/// side is √(g R) cos^{3/2} θ.
+TEST(LocatedDiscs, SlideOffEachOtherWhereNoForceIsLeft) {
+  struct Slide {
+    const char *below, *above;
+    double R;
+  };
+  for (const Slide& slide :
+       {Slide{R"(<Cylinder radius="0.4" length="1")", R"(<Cylinder radius="0.2" length="0.3")",
+              0.6},
+        Slide{R"(<Cylinder radius="0.4" length="1")", R"(<Capsule radius="0.1" length="0.3")", 0.5},
+        Slide{R"(<Cylinder radius="0.4" length="1")", R"(<Torus radius="0.2" tube="0.05")", 0.65},
+        Slide{R"(<Torus radius="0.3" tube="0.1")", R"(<Torus radius="0.2" tube="0.05")", 0.65}}) {
+    const double start = 0.3, g = 9.81, cosine = 2.0 / 3.0 * std::cos(start);
+    const std::string scene =
+        R"(<dynamy version="1"><parameter name="s" value="0.3"/><systems><Ground>)" +
+        std::string(slide.below) +
+        R"( euler="90deg 0 0" material="a"/></Ground><RigidBody name="b" position="{R*sin(s)} 0 {R*cos(s)}">)" +
+        slide.above + R"( euler="90deg 0 0" mass="1" material="a"/></RigidBody></systems>
+        <parameter name="R" value=")" +
+        std::to_string(slide.R) + R"("/><forces><Gravity/></forces>
+        <elements><Contact between="a a"><Unilateral epsilonN="0"/></Contact></elements>
+        <simulation until="1" step="1"/></dynamy>)";
+    LocatedRun run(scene, 1e-9, 0.8);
+    ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+    EXPECT_EQ(run.report().stepping.periods, 0) << slide.above;
+    // Errors of some tolerances of positions below 1 m and speeds below 10 m/s.
+    EXPECT_NEAR(run.state().u[0], std::sqrt(g * slide.R) * std::pow(cosine, 1.5), 1e-7)
+        << slide.above;
+  }
+}
+
 /// The face of a large box is the plane of a half space, over which features are others.
 TEST(LocatedDiscs, RollAndLieOnABoxAsOnAHalfSpace) {
   int told = 0;
