@@ -140,8 +140,8 @@ int MissingBias::firstWrong(const MechanicalSystem& s, const PhasePoint& p, cons
   rates_ = p.a.cwiseAbs();
   sums_.assign(static_cast<std::size_t>(c.rows()), 0.0);
   c.addAbsolute(view(std::as_const(rates_)), sums_.data());
-  // The difference holds the rounding of γ over d. W turns with a body, and so the rounding of a row
-  // across the motion is that of the row along it.
+  // The difference holds the rounding of γ over d and its change in d. W turns with a body, and so both
+  // are in a row across the motion what they are in the row along it.
   rates_ = p.x.u.cwiseAbs();
   gammaSums_.assign(static_cast<std::size_t>(c.rows()), 0.0);
   c.addAbsolute(view(std::as_const(rates_)), gammaSums_.data());
@@ -150,14 +150,16 @@ int MissingBias::firstWrong(const MechanicalSystem& s, const PhasePoint& p, cons
     // The lowest point of a circle may run around it within d.
     if (c.features.isOnCircle(i)) continue;
     const int row0 = c.row0[static_cast<std::size_t>(i)], end = row0 + c.dim(i);
-    double speed = 0.0;
+    double speed = 0.0, rate = 0.0;
     for (int r = row0; r < end; ++r)
-      speed = std::max(speed, gammaSums_[static_cast<std::size_t>(r)]);
+      speed = std::max(speed, gammaSums_[static_cast<std::size_t>(r)]),
+      rate = std::max(rate, sums_[static_cast<std::size_t>(r)]);
     for (int r = row0; r < end; ++r) {
       const auto row = static_cast<std::size_t>(r);
       reported_[r] += c.bias[row] - c.chi[row];
       if (std::abs(found_[r] - reported_[r]) >
-          BiasConstants::share * (sums_[row] + std::abs(found_[r])) + noise + rounding * speed)
+          BiasConstants::share * (sums_[row] + std::abs(found_[r])) +
+              BiasConstants::ofOthers * rate + noise + rounding * speed)
         return r;
     }
   }

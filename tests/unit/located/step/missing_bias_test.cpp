@@ -67,21 +67,22 @@ MissingBias::Verdict verdictOn(double bias, bool shapes, std::string& why) {
 
 TEST(MissingBias, RoundingOfAFastContactIsNoWrongBias) {
   // γ of the normal row is 64e-16 m/s of rounding, its difference over 1e-9 s up to 1e-5 m/s²: more
-  // than the 1e-12 L/T² that count as zero. The bias of 1e-30 only says that one is told.
+  // than the 1e-9 L/T² that count as zero. The bias of 1e-30 only says that one is told.
   std::string why;
   EXPECT_EQ(verdictOn(1e-30, false, why), MissingBias::Verdict::right);
 }
 
 TEST(MissingBias, AWrongBiasIsTold) {
+  // 1e-6 of the engine's acceleration.
   std::string why;
-  EXPECT_EQ(verdictOn(1.0, false, why), MissingBias::Verdict::wrong);
+  EXPECT_EQ(verdictOn(1e3, false, why), MissingBias::Verdict::wrong);
   EXPECT_NE(why.find("tells a wrong bias of its row 0: with it γ changes by "), std::string::npos)
       << why;
 }
 
 TEST(MissingBias, ShapesMayHaveAKinkThere) {
   std::string why;
-  EXPECT_EQ(verdictOn(1.0, true, why), MissingBias::Verdict::kinked);
+  EXPECT_EQ(verdictOn(1e3, true, why), MissingBias::Verdict::kinked);
   EXPECT_NE(why.find("has a kink, or its shapes tell a wrong bias of its row 0"), std::string::npos)
       << why;
 }
