@@ -200,6 +200,11 @@ std::string stepsText(const RunReport& r) {
         " {} used up the work that a step may take: the rest of it was taken at a small cost (a "
         "smaller step has as much work for less time)\n",
         counted(r.passing.bounded, "step"));
+  if (r.trust.slowed.steps > 0)
+    out += fmt::format(
+        " {} gained energy, at most {:.2g} J (t = {:.6g} s), unsolved or with forces too stiff for "
+        "them: velocities reduced by it\n",
+        counted(r.trust.slowed.steps, "step"), r.trust.slowed.most, r.trust.slowed.t);
   if (r.trust.damped > 0)
     out += fmt::format(
         " {} faster than steps follow: taken at the end of steps, which damps them (a smaller step "

@@ -9,7 +9,9 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostProjections = 12;
+/// Most turns, and most of them that do not halve the largest violation: linear problems that
+/// contradict each other from turn to turn lead further and further away.
+constexpr int kMostProjections = 12, kMostIdle = 3;
 /// Most rows for which contacts are closed before their impact.
 constexpr int kMostTouched = 200;
 /// Share of the largest diagonal entry that is added to the diagonal: redundant rows then share.
@@ -129,9 +131,9 @@ bool Projection::overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x
 
 bool Projection::touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys,
                        double tolerance, int slot) {
-  touched_ = keys, start_ = x;
+  touched_ = keys, untouched_ = x;
   if (repair(s, nullptr, x, tolerance, slot, Level::touch)) return true;
-  x = start_;
+  x = untouched_;
   return false;
 }
 
@@ -187,30 +189,36 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
     if (level == Level::touch) return std::max(largestOverlap(c), largestGap(c));
     return level == Level::overlap ? largestOverlap(c) : largestViolation(c);
   };
-  double worst = violation();
+  double worst = violation(), least = worst, goal = worst;
+  int idle = 0;
   Effort effort = s.limits.effort;
+  if (worst > tolerance) start_ = x;
+  const auto giveUp = [&] {  // with what came nearest
+    if (worst > least || !std::isfinite(worst)) x = start_;
+    return false;
+  };
   for (int turn = 0; worst > tolerance; ++turn) {
-    if (turn == kMostProjections || !std::isfinite(worst)) return false;
+    if (turn == kMostProjections || idle == kMostIdle || !std::isfinite(worst)) return giveUp();
     // Gaps that the way of a few violations can close take part.
     const Evaluation& e = s.evaluate(x, {.slot = slot, .reach = std::max(reach, 8.0 * worst)});
     select(s, e.contacts, x, level);
     problem_.effort = effort;
     const bool solved = level == Level::touch ? close(e) : solve(e, *solver);
     const int most = effort == Effort::little ? 0 : 2;
-    if (!solved && (level == Level::touch || turn > most)) return false;
+    if (!solved && (level == Level::touch || turn > most)) return giveUp();
     // The next turn corrects the rest.
-    if (!solved) effort = std::max(effort, Effort::retried), start_ = x;
+    if (!solved) effort = std::max(effort, Effort::retried);
+    if (worst <= least) start_ = x, least = worst;
     delta_ /= kDisplacementTime;
     const double t = x.t;
     s.move(x, delta_, kDisplacementTime);
     x.t = t;
     const double before = worst;
     worst = violation();
-    if (level == Level::touch && !(worst < 0.5 * before)) return false;
-    if (!solved && !(worst < before)) {  // contacts and joints contradict each other
-      x = start_;
-      return false;
-    }
+    if (level == Level::touch && !(worst < 0.5 * before)) return giveUp();
+    if (!solved && !(worst < before)) return giveUp();  // contacts and joints contradict each other
+    idle = worst < 0.5 * goal ? 0 : idle + 1;
+    if (idle == 0) goal = worst;
   }
   return true;
 }

@@ -67,7 +67,7 @@ class Projection {
   Eigen::VectorXd delta_, change_;
   Eigen::MatrixXd W_, MInvW_;        // of the contacts to be closed, nu × rows
   std::vector<ContactKey> touched_;  // contacts to be closed
-  State start_;
+  State untouched_, start_;
   KeyIndex remembered_;  // index of the impulses of the last step
   Unilateral unilateral_;
   Bilateral bilateral_;

@@ -143,5 +143,30 @@ TEST(DividedSteps, HaveNoResolutionWhereAllMotionIsRounding) {
   }
 }
 
+/// Two masses of 1 kg on a spring of 1e10 N/m, 0.2 m from its length, that turn about each other:
+/// ωΔt = 3000, and in a step the line between them turns by 2 rad.
+std::string turningSpring(const std::string& step) {
+  return "<dynamy version=\"1\"><systems><PointMass name=\"a\" mass=\"1\"/><PointMass "
+         "name=\"b\" position=\"1 0 0\" velocity=\"0 100 0\" mass=\"1\"/></systems><forces>"
+         "<SpringDamper between=\"a b\" stiffness=\"1e10\" length=\"0.8\"/></forces><simulation "
+         "until=\"0.6\" step=\"" +
+         step + "\"/></dynamy>";
+}
+
+TEST(DividedSteps, LetASpringThatTheyDampGainNothing) {
+  // The tangent of the spring at the start of a step does not hold at its end: undivided, T + V rose
+  // from 2.0e8 to 4.7e8 J in the first step. A part may gain 0.2 % of its T.
+  Scene loaded("spring", {.text = turningSpring("0.02")});
+  Simulation s(loaded.model());
+  while (s.step()) {
+  }
+  EXPECT_EQ(s.report().trust.damped, 1);
+  EXPECT_LE(s.report().trust.energyRise, 0.01 * s.report().trust.kineticMax);
+  EXPECT_EQ(s.report().passing.finest, 8);
+  EXPECT_EQ(s.report().trust.slowed.steps, 0);
+  // The common velocity of 50 m/s is not touched; forces of 2e9 N leave 1e-16 of their impulse of 4e7 N s.
+  EXPECT_NEAR(s.state().u[1] + s.state().u[4], 100.0, 1e-7);
+}
+
 }  // namespace
 }  // namespace dynamy::reference

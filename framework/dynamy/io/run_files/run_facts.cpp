@@ -116,7 +116,8 @@ void writeRunFacts(JsonWriter& json, const Model& model, const RunReport& r,
   json.member("parted", r.passing.parted)
       .member("left", r.passing.left)
       .member("bounded", r.passing.bounded)
-      .member("damped", r.trust.damped);
+      .member("damped", r.trust.damped)
+      .member("slowed", r.trust.slowed.steps);
   json.member("simpler", r.simpler.steps);
   json.member("evaluations", r.cost.evaluations).member("impacts", r.contacts.impacts);
   json.member("switches", r.contacts.switches);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/schemes/joints/joint_equations.hpp>
 
 namespace dynamy {
@@ -6,6 +7,8 @@ namespace {
 
 /// Velocities below this share of what a joint's impulse changes in a step count as rest, see the header.
 constexpr double kAtRest = 1e-4;
+/// Error above which a joint is off, over g_tol: steps and projections that succeed leave less.
+constexpr double kOff = 1e3;
 
 bool massDependsOnPosition(const Topology& topology) {
   return std::any_of(topology.systems().begin(), topology.systems().end(), [](const auto* system) {
@@ -31,17 +34,25 @@ bool JointEquations::begin(MechanicalSystem& s, const State& x, double dt) {
   if (coupled || !graph_.isOf(c, joints_)) {
     graph_.build(s.slot(0).mass, c, joints_, damped_.pairs());
     Lambda.assign(static_cast<std::size_t>(graph_.rows()), 0.0);
-    R.g = Lambda, R.meanRate = Lambda, gA_ = Lambda;
+    R.g = Lambda, R.meanRate = Lambda, gA_ = Lambda, aim_ = Lambda;
   }
   elements_.assign(s.parts().contacts.size(), 0);
   for (const int i : joints_) elements_[c.element[i]] = 1;
   for (std::size_t k = 0; k < joints_.size(); ++k)
     for (int r = 0; r < c.dim(joints_[k]); ++r)
       gA_[graph_.row0(static_cast<int>(k)) + r] = c.position[c.row0[joints_[k]] + r];
+  setAim(s);
   v = x.u;
   startFrom(x.impulses, c);
   boundQuotients(s.slot(0));
   return true;
+}
+
+/// Sets g* of the step.
+void JointEquations::setAim(const MechanicalSystem& s) {
+  const double full = s.limits.pushOut, left = full > dt_ ? 1.0 - dt_ / full : 0.0;
+  for (std::size_t row = 0; row < gA_.size(); ++row)
+    aim_[row] = std::abs(gA_[row]) > kOff * s.gTol() ? left * gA_[row] : 0.0;
 }
 
 /// Sets least_ to (kAtRest)² ΛᵀWᵀM⁻¹WΛ per joint.
@@ -131,8 +142,9 @@ void JointEquations::evaluate(MechanicalSystem& s, const Eigen::VectorXd& contac
   for (std::size_t k = 0; k < endJoints_.size(); ++k)
     for (int r = 0; r < atEnd.dim(endJoints_[k]); ++r) {
       const auto row = static_cast<std::size_t>(graph_.row0(static_cast<int>(k)) + r);
-      R.g[row] = atEnd.position[atEnd.row0[endJoints_[k]] + r] / dt_;
-      R.meanRate[row] = R.g[row] - gA_[row] / dt_;
+      const double g = atEnd.position[atEnd.row0[endJoints_[k]] + r];
+      R.g[row] = (g - aim_[row]) / dt_;
+      R.meanRate[row] = g / dt_ - gA_[row] / dt_;
     }
   setJointForces(e);
   change_ = 2.0 * (v - xA_->u);

@@ -2,7 +2,7 @@
 ///
 ///   q^M = q^A ⊕ Δt/2 v,   q^E = q^A ⊕ Δt v,   u^E = 2v − u^A
 ///   R_v = 2M(v − u^A) − Δt (h(q^M, v) + h_d(v)) − W̃ Λ − W_c Λ_c = 0      h_d: DampedForces
-///   R_g = g_J(q^E)/Δt = 0
+///   R_g = (g_J(q^E) − g*)/Δt = 0,   g* = 0
 ///   W̃ = W − M v ω/(vᵀMv),   ω = Wᵀv + χ − (g(q^E) − g(q^A))/Δt    per joint, over its bodies
 ///
 /// W̃ is the discrete gradient of [gonzalez1996] in the metric of the mass, Δt(W̃ᵀv + χ) = g(q^E) −
@@ -11,6 +11,10 @@
 /// At rest v and ω are rounding, and so would be their quotient: vᵀMv is at least (10⁻⁴ Δv)² there, Δv in
 /// the metric of the mass what the joint's impulse of the last step changes. Since ω grows as v³, the
 /// bound leaves out work of (10⁻⁴ Δv Δt/L)² of the joint's power, which is below rounding.
+///
+/// Steps that found no solution may leave g(q^A) far from zero. A part of a step then closes the
+/// joint by its part only, g* = (1 − Δt/Δt_full) g(q^A): to close it all at once would take the
+/// velocity g/Δt, which has no bound where parts end at contacts.
 #pragma once
 #include <dynamy/schemes/joints/damped_forces.hpp>
 #include <dynamy/schemes/joints/mechanism_graph.hpp>
@@ -55,6 +59,7 @@ class JointEquations {
  private:
   void startFrom(const RememberedImpulses& last, const ContactSet& c);
   void boundQuotients(const Evaluation& e);
+  void setAim(const MechanicalSystem& s);
   void setJointForces(const Evaluation& e);
 
   const State* xA_ = nullptr;
@@ -63,6 +68,7 @@ class JointEquations {
   std::vector<char> elements_;  // per element: 1 if it has joints
   MechanismGraph graph_;
   std::vector<double> gA_;     // g(q^A)
+  std::vector<double> aim_;    // g*
   std::vector<double> least_;  // per joint, see leastTwiceT
   Eigen::VectorXd force_, momentum_, change_, h_, hNonPotential_;
   DampedForces damped_;

@@ -5,9 +5,9 @@ namespace dynamy {
 void RunTrust::archive(Archive& a) {
   for (double* x : {&kineticMax, &stepEnergy, &energyError, &energyErrorTime, &energyRise,
                     &energyRiseTime, &energyGain, &energyGainTime, &regain, &gainStep, &omegaDt,
-                    &turn, &way, &fall, &leap, &rounding})
+                    &turn, &way, &fall, &leap, &rounding, &slowed.most, &slowed.t})
     a(*x);
-  a(damped);
+  a(damped), a(slowed.steps);
 }
 
 void CostReport::archive(Archive& a) {

@@ -55,7 +55,13 @@ struct RunTrust {
   double way = 0.0;       ///< distance of the fastest frame in a step [m]
   double fall = 0.0;      ///< distance by the forces alone in a step [m]
   double leap = 0.0;      ///< distance in a step over the sizes of shapes
-  int damped = 0;         ///< most forces that one step does not resolve and takes at its end
+  /// Steps after which velocities were reduced, since they gained energy.
+  struct Slowed {
+    long steps = 0;
+    double most = 0.0, t = 0.0;  ///< most energy taken [J], when [s]
+  };
+  Slowed slowed;
+  int damped = 0;  ///< most forces that one step does not resolve and takes at its end
   /// Error of the energies by rounding [J]; changes below it are not reported (RunWatch).
   double rounding = 0.0;
   /// Scale that changes of energy are compared with [J]; kWarned times this scale is never below

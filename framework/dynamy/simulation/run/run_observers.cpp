@@ -8,6 +8,7 @@ RunObservers::RunObservers(Model& model, RunReport& report)
       report_(report),
       statistics_(report),
       ledger_(model),
+      gain_(model),
       watch_(model, ledger_, report),
       checks_(model) {
   for (const auto& o : model.observers()) others_.push_back(o.get());
@@ -68,6 +69,16 @@ void RunObservers::slept(const StepView& view, const RestChange& change) {
     recorder_->rest(rested, change.contacts);
   }
   ledger_.take(change.energy);
+}
+
+void RunObservers::slow(const MechanicalSystem& system, const StepReport& report,
+                        const State& before, State& after) {
+  const double energy = gain_.takeBack(system, report, before, after);
+  if (!(energy > 0.0)) return;
+  ledger_.take(energy);
+  RunTrust::Slowed& slowed = report_.trust.slowed;
+  ++slowed.steps;
+  if (energy > slowed.most) slowed.most = energy, slowed.t = after.t;
 }
 
 void RunObservers::woke(double t, const RestChange& change) {

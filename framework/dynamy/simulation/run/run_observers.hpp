@@ -8,6 +8,7 @@
 #include <dynamy/simulation/report/recorder.hpp>
 #include <dynamy/simulation/report/run_watch.hpp>
 #include <dynamy/simulation/report/step_statistics.hpp>
+#include <dynamy/simulation/run/energy_gain.hpp>
 #include <dynamy/simulation/run/sleep.hpp>
 
 namespace dynamy {
@@ -35,6 +36,9 @@ class RunObservers {
   void bring(const State& before, const State& after);
   /// Books a change of parameters between two steps; T + V was `energy` [J] before.
   void changed(double energy, const State& x) { ledger_.take(energy - ledger_.upTo(x).end()); }
+  /// Takes the energy back that the step from `before` to `after` gained without a cause.
+  void slow(const MechanicalSystem& system, const StepReport& report, const State& before,
+            State& after);
   /// Systems fell asleep at the end of this step, or woke at t [s].
   void slept(const StepView& view, const RestChange& change);
   void woke(double t, const RestChange& change);
@@ -52,6 +56,7 @@ class RunObservers {
   MotionHash motion_;
   StepStatistics statistics_;
   EnergyLedger ledger_;
+  EnergyGain gain_;
   RunWatch watch_;
   Checks checks_;
   std::unique_ptr<LedgerRows> ledgerRows_;

@@ -46,7 +46,7 @@ class StepAttempt {
   const StepReport& report() const { return report_; }
   /// How coarse the step is for the motion.
   Coarseness coarseness() {
-    return report_.resting ? Coarseness{} : coarseness_.of(system_, x_, report_.dt);
+    return report_.resting ? Coarseness{} : coarseness_.of(system_, before_, x_, report_.dt);
   }
   bool sound() const;
   /// Why the attempted state is not sound; empty: it is.

@@ -7,15 +7,28 @@
 namespace dynamy {
 
 StepCoarseness::StepCoarseness(const Model& model)
-    : turning_(turningFrames(model)), length_(model.length()), smallest_(smallestBody(model)) {}
+    : gain_(model),
+      turning_(turningFrames(model)),
+      length_(model.length()),
+      smallest_(smallestBody(model)) {}
 
-Coarseness StepCoarseness::of(const MechanicalSystem& system, const State& after, double dt) {
+Coarseness StepCoarseness::of(const MechanicalSystem& system, const State& before,
+                              const State& after, double dt) {
   const Kinematics& k = system.slot(0).kinematics;
   double square = 0.0;  // of the fastest body's rate [rad²/s²]
   for (const FrameHandle f : turning_) square = std::max(square, k.frame(f).Omega_I.squaredNorm());
   return Coarseness::of(std::sqrt(square) * dt, system.implicitForces().resolution(),
                         newOverlap(system, after, dt) / length_,
-                        foreseenOverlap(system, after, dt) / smallest_);
+                        foreseenOverlap(system, after, dt) / smallest_,
+                        gain(system, before, after, dt));
+}
+
+/// Energy that a step brought in whose forces are unresolved, over T at its beginning and end. Their
+/// tangent at the beginning, with which they are damped, does not hold where they turn.
+double StepCoarseness::gain(const MechanicalSystem& system, const State& before, const State& after,
+                            double dt) {
+  if (!system.implicitForces().unresolved() || !after.u.allFinite()) return 0.0;
+  return gain_.rise(system, before, after, dt).share();
 }
 
 /// Largest overlap to which a rough step leads, at the place where the next one of its length

@@ -17,10 +17,14 @@ double powerOfTwo(double x) { return std::exp2(std::ceil(std::log2(std::max(x, 1
 }  // namespace
 
 Coarseness Coarseness::of(double turn, const ForceResolution& forces, double overlap,
-                          double foreseen) {
+                          double foreseen, double gain) {
   // share ≥ (ωΔt)²/8 for two equal bodies, (ωΔt)²/4 for one to the ground: ωΔt ≤ 2 √(2 share).
-  return {turn / kMostTurn, 2.0 * std::sqrt(2.0 * forces.share) / kMostSwing, forces.coarse,
-          overlap / kMostOverlap, foreseen / kMostForeseen};
+  return {turn / kMostTurn,
+          2.0 * std::sqrt(2.0 * forces.share) / kMostSwing,
+          forces.coarse,
+          overlap / kMostOverlap,
+          foreseen / kMostForeseen,
+          gain > kMostGain ? std::clamp(std::sqrt(gain / kMostGain), 2.0, kMostAtOnce) : 1.0};
 }
 
 int StepDivision::begin() {
@@ -48,7 +52,7 @@ int StepDivision::parts(const Coarseness& c, double share, long most) {
   const double turn = c.turn <= kMostEqual * share ? c.turn : 0.0;
   const double motion = std::max(turn, rough ? c.swing : 0.0);
   const double ahead = std::min(c.ahead, Coarseness::kMostAhead * share);
-  const double wanted = std::min(std::max({motion, c.overlap, ahead}), bound * share);
+  const double wanted = std::min(std::max({motion, c.overlap, ahead, c.gain}), bound * share);
   const double needed = std::max(turn, swings_ ? c.swing : 0.0);
   // What is ahead is in the next step, too: the last part looks no further than the next part.
   ahead_ = std::max(ahead_, powerOfTwo(std::min(ahead / share, bound)));

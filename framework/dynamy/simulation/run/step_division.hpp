@@ -14,6 +14,7 @@ struct Coarseness {
   bool coarse = false;   ///< the step does not resolve its forces well
   double overlap = 0.0;  ///< parts after which bodies that meet in the step do not overlap much
   double ahead = 0.0;    ///< the same of the overlap at the place of the next step
+  double gain = 0.0;     ///< parts in which forces that are damped bring in little energy
   /// Turn of a body in a part [rad]; the run warns of more.
   static constexpr double kMostTurn = 1.0;
   /// ωΔt in a part of forces that the step does not resolve. Parts take them by the implicit
@@ -26,11 +27,15 @@ struct Coarseness {
   /// Overlap to which a part leads, over the size of the smallest body. Its parts are no shorter
   /// than 1/kMostAhead of a full step: thin bodies among many are not to multiply the cost.
   static constexpr double kMostForeseen = 0.005, kMostAhead = 8.0;
+  /// Energy that unresolved forces may bring into a part, over T; the run warns of 2 % in all. The
+  /// tangent with which they are damped leaves errors of order 2, and at most so many parts are
+  /// tried at once.
+  static constexpr double kMostGain = 0.002, kMostAtOnce = 8.0;
   /// Coarseness of a step: largest turn of a body in it [rad], how well it resolves the forces, and
-  /// overlap that it brought about, over the scene's length, and to which it leads, over the size
-  /// of the smallest body.
+  /// overlap that it brought about, over the scene's length, to which it leads, over the size
+  /// of the smallest body, and energy that it brought in, over T.
   static Coarseness of(double turn, const ForceResolution& forces, double overlap = 0.0,
-                       double foreseen = 0.0);
+                       double foreseen = 0.0, double gain = 0.0);
 };
 
 /// The number of parts is a power of two and changes seldom, because explicit rules keep the energy

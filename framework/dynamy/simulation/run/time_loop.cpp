@@ -119,8 +119,7 @@ bool FixedStep::full(Stepper& stepper, double tEnd, double dt) {
 
 int FixedStep::partsOf(Stepper& stepper, double dt, long evaluations) {
   if (!division_.divides()) return 1;
-  // Parts for which the budget is too small are taken at the least cost.
-  const long most = std::max(partsWithinWork(nu_, std::min(evaluations, kFewest)), 1l);
+  const long most = std::max(partsWithinWork(nu_, evaluations), 1l);
   return division_.parts(stepper.coarseness(), dt / whole_, most);
 }
 
@@ -140,17 +139,23 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
     stepper.leave(p);
   }
   const Spent before = stepper.spent();
-  const StepReport report = stepper.attempt(tEnd, dt, budget_.exhausted());
+  const bool cheap = budget_.exhausted();
+  const StepReport report = stepper.attempt(tEnd, dt, cheap);
   const Spent after = stepper.spent();
   // The first attempt of a run, also of a resumed one, looks for joints besides.
   const long counted = after.evaluations - before.evaluations;
   const long evaluations = first_ ? std::max(counted - kFirstMore, 1l) : counted;
   first_ = false;
   // A resumed run has the budget of one that goes on.
-  budget_.spend(after.work - before.work - static_cast<double>((counted - evaluations) * nu_));
+  budget_.spend(after.work - before.work - static_cast<double>((counted - evaluations) * nu_),
+                report.solved.ok() && !report.simpler);
   const bool sound = stepper.sound(), good = sound && report.solved.ok();
+  // Parts for which the budget is too small are taken at the least cost, which a cheap try shows.
+  const long least = std::min(evaluations, kFewest);
+  const long ofPart =
+      cheap ? std::max(least, static_cast<long>((after.work - before.work) / nu_)) : least;
   // Too coarse for the motion: all else is looked at in its parts.
-  if (const int n = sound ? partsOf(stepper, dt, evaluations) : 1; n > 1) {
+  if (const int n = sound ? partsOf(stepper, dt, ofPart) : 1; n > 1) {
     stepper.reject();
     return divide(stepper, tEnd, dt, n);
   }

@@ -126,7 +126,12 @@ class FixedStep final : public TimeLoop {
   /// `divides`: steps that are too coarse are divided into equal parts. Steps end at `samples`.
   FixedStep(double dt, NonConvergence policy, int nu, bool divides = false,
             SampleInstants samples = {})
-      : grid_(dt), samples_(std::move(samples)), policy_(policy), nu_(nu), division_(divides) {}
+      : grid_(dt),
+        samples_(std::move(samples)),
+        policy_(policy),
+        nu_(nu),
+        division_(divides),
+        budget_(nu) {}
   Advance next(Stepper& stepper, double until) override;
   void archive(Archive& a) override;
 
@@ -141,6 +146,7 @@ class FixedStep final : public TimeLoop {
   /// Takes a full step, in as many equal parts as the last one needed.
   bool full(Stepper& stepper, double tEnd, double dt);
   /// Number of equal parts into which the attempted step of length dt is to be divided; 1: none.
+  /// `evaluations`: what one part costs, in evaluations of all bodies.
   int partsOf(Stepper& stepper, double dt, long evaluations);
   /// Takes a step in n equal parts.
   bool divide(Stepper& stepper, double tEnd, double dt, int n);

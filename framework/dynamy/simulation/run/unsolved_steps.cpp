@@ -5,8 +5,9 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostDiagnoses = 3;    ///< of a run
-constexpr int kDiagnosisRows = 400;  ///< above, a diagnosis would take seconds
+constexpr int kMostDiagnoses = 3;      ///< of a run
+constexpr int kDiagnosisRows = 200;    ///< above, a diagnosis may take more than a second
+constexpr int kDiagnosisPivots = 200;  ///< more of them may take ten seconds
 
 }  // namespace
 
@@ -28,7 +29,8 @@ void UnsolvedSteps::note(long index, double t, const StepReport& report, bool di
   u.findings.clear();
   if (!known || !diagnoses || diagnoses_++ >= kMostDiagnoses) return;
   DiagnosisOptions options;
-  options.maxRows = kDiagnosisRows, options.name = name;
+  options.maxRows = kDiagnosisRows, options.maxPivots = kDiagnosisPivots;
+  options.name = name;
   const ConstVec Lambda = system_.problem().Lambda();
   InclusionProblem shortly = p;  // each of its starts may take seconds otherwise
   shortly.effort = Effort::retried;

@@ -95,7 +95,7 @@ Diagnosis diagnose(const InclusionProblem& p, ConstVec Lambda, const SolveReport
   add(jam(dense, names));
   // Forces that grow without bound have large rounding errors, which are then not the cause.
   if (!d.find(FindingKind::contradiction)) add(rounding(dense, options.tolerance, names));
-  add(pivoted(p, report, options.tolerance));
+  add(pivoted(p, report, options));
   for (Finding& f : painleve(dense, names)) d.findings.push_back(std::move(f));
   if (options.otherStarts) add(severalSolutions(dense, report, solver, options.tolerance, names));
   add(redundantJoints(dense, names));

@@ -51,6 +51,7 @@ struct Diagnosis {
 struct DiagnosisOptions {
   double tolerance = 1e-10;
   bool otherStarts = true;  ///< two or three more solves, from other starts
+  int maxPivots = 10000;    ///< of the search for a solution by pivoting
   int maxRows = 900;        ///< larger problems are not examined: eigenvalues cost 10 n³
   std::function<std::string(int)> name;  ///< name of a contact; default: "contact 3"
 };

@@ -20,7 +20,7 @@ std::optional<Finding> unsolved(const SolveReport& report, const Names& names);
 /// Tries pivoting on an unsolved problem of up to 200 rows: it finds a solution, or proves that
 /// none exists.
 std::optional<Finding> pivoted(const InclusionProblem& problem, const SolveReport& report,
-                               double tolerance);
+                               const DiagnosisOptions& options);
 std::optional<Finding> tooLarge(int rows, int most);
 /// Finding if 4ε |G||Λ| / u_ref of the worst contact is above the tolerance.
 std::optional<Finding> rounding(const DenseProblem& dense, double tolerance, const Names& names);

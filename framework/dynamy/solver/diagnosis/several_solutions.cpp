@@ -56,10 +56,10 @@ std::string stateText(const DenseProblem& dense, const Eigen::VectorXd& Lambda,
 }  // namespace
 
 std::optional<Finding> pivoted(const InclusionProblem& p, const SolveReport& report,
-                               double tolerance) {
+                               const DiagnosisOptions& options) {
   constexpr int kMostPivoted = 200;
   if (report.ok() || p.rows() > kMostPivoted) return std::nullopt;
-  LemkeSolver lemke({.tolerance = tolerance});
+  LemkeSolver lemke({.tolerance = options.tolerance, .maxPivots = options.maxPivots});
   Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
   if (lemke.solve(p, view(Lambda)).ok())
     return Finding{FindingKind::severalSolutions,

@@ -63,7 +63,8 @@ struct SolveReport {
 /// Counts the work of a solution, if the problem wants it counted.
 inline void count(const InclusionProblem& p, const SolveReport& report) {
   if (p.work == nullptr) return;
-  p.work->visits += static_cast<long>(p.size()) * (report.iterations + 1);
+  p.work->visits += static_cast<long>(p.size()) *
+                    (report.iterations + 1 + (SolverWork::kNewton - 1) * report.newton);
 }
 
 /// A start with E_f and E_u below this is accepted unchanged; a worse one is improved at least

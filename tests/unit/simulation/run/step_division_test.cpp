@@ -125,5 +125,18 @@ TEST(StepDivision, IsKeptAndExamined) {
   EXPECT_THROW(same.archive(back), ModelError);
 }
 
+TEST(StepDivision, LetsForcesThatAreDampedBringInLittle) {
+  const auto parts = [](double gain) {
+    StepDivision d(true);
+    d.begin();
+    return d.parts(Coarseness::of(0.0, {}, 0.0, 0.0, gain), 1.0, 64);
+  };
+  EXPECT_EQ(parts(0.0), 1);
+  EXPECT_EQ(parts(Coarseness::kMostGain), 1);
+  EXPECT_EQ(parts(2.0 * Coarseness::kMostGain), 2);
+  EXPECT_EQ(parts(10.0 * Coarseness::kMostGain), 4);  // errors of order 2
+  EXPECT_EQ(parts(1e9), 8);                           // not more at once
+}
+
 }  // namespace
 }  // namespace dynamy

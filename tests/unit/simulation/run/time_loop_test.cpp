@@ -246,7 +246,7 @@ TEST(FixedSteps, ThatAreTooLongForTheMotionHaveEqualParts) {
 TEST(FixedSteps, ThatAreAlwaysPassedStayWithinTheirBudget) {
   Counted s;
   s.passes = true;
-  s.workOfOne = 1000.0;
+  s.workOfOne = 2000.0;
   FixedStep loop(1.0, NonConvergence::retry, 6);
   loop.next(s, 1000.0);
   EXPECT_GT(s.cheap, 0);
@@ -272,7 +272,7 @@ TEST(FixedSteps, WhoseFirstTryCostsAllStillHaveThree) {
 }
 
 TEST(StepBudget, SavesWhatStepsLeaveForOthers) {
-  StepBudget b;
+  StepBudget b(6);
   for (int i = 0; i < 1000; ++i) b.begin(), b.spend(0.1 * StepBudget::kWork);
   b.begin(), b.spend(1.0);
   b.spend(50.0 * StepBudget::kWork);
@@ -285,6 +285,21 @@ TEST(StepBudget, SavesWhatStepsLeaveForOthers) {
     b.spend(1.1 * StepBudget::kWork);
     EXPECT_TRUE(b.exhausted());
   }
+}
+
+TEST(StepBudget, LetsStepsThatFailOweTheirWork) {
+  StepBudget b(6);
+  const double dear = 15.0 * StepBudget::kWork;
+  for (int i = 0; i < 20; ++i) b.begin(), b.spend(dear);
+  b.begin();
+  EXPECT_FALSE(b.exhausted());  // a first try that finds a solution may cost what it costs
+  b.spend(dear, false);
+  b.begin();
+  EXPECT_TRUE(b.exhausted());
+  int cheap = 0;  // each pays nine tenths of a budget, until one is owed
+  while (b.exhausted() && cheap < 100) b.spend(0.1 * StepBudget::kWork, false), b.begin(), ++cheap;
+  EXPECT_GE(cheap, 14);
+  EXPECT_LE(cheap, 17);
 }
 
 TEST(FixedSteps, OfManyBodiesHaveFewerParts) {

@@ -1,0 +1,36 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/simulation/run/energy_gain.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Share of T above which a gain is taken back, a half of what the run warns of.
+constexpr double kTakenBack = 0.005;
+
+}  // namespace
+
+EnergyGain::Rise EnergyGain::rise(const MechanicalSystem& system, const State& before,
+                                  const State& after, double dt) {
+  Rise r;
+  r.kineticStart = meter_.kinetic(before), r.kineticEnd = meter_.kinetic(after);
+  r.energy = r.kineticEnd - r.kineticStart + meter_.potential(after) - meter_.potential(before);
+  r.energy -= 0.5 * dt * system.slot(0).hNonPotential.dot(before.u + after.u);
+  const ContactSet& c = system.slot(0).contacts;
+  const ConstVec Lambda = system.problem().Lambda();
+  for (int k = 0; k < c.rows() && Lambda.size() == c.rows(); ++k)  // moving ground, driven joints
+    r.energy += Lambda[k] * c.chi[static_cast<std::size_t>(k)];
+  return r;
+}
+
+double EnergyGain::takeBack(const MechanicalSystem& system, const StepReport& report,
+                            const State& before, State& after) {
+  if (report.resting || (report.solved.ok() && !system.implicitForces().unresolved())) return 0.0;
+  const Rise r = rise(system, before, after, report.dt);
+  if (!(r.share() > kTakenBack)) return 0.0;
+  const double taken = std::min(r.energy, r.kineticEnd);
+  after.u *= std::sqrt((r.kineticEnd - taken) / r.kineticEnd);
+  return taken;
+}
+
+}  // namespace dynamy
