@@ -18,6 +18,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/elements/dynamy_elements DESTINATION inc
   FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION share/dynamy COMPONENT runtime
   FILES_MATCHING PATTERN "*.xml")
+# Messages name documents as doc/NAME.md.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc/ DESTINATION share/doc/dynamy COMPONENT runtime
+  FILES_MATCHING PATTERN "*.md" PATTERN "figures" EXCLUDE PATTERN "site" EXCLUDE PATTERN "trust" EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/app/python/dynamy_run.py
   DESTINATION lib/python3/dist-packages COMPONENT runtime)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/plugins/template DESTINATION share/dynamy COMPONENT dev

@@ -186,6 +186,12 @@ function point(e, r) {
   e.style.cursor = "pointer";
 }
 
+/** Colour of line i of n, away from that of the paper. */
+function lineColour(i, n) {
+  const s = 0.9 * i / (n - 1);
+  return colour(matchMedia("(prefers-color-scheme: dark)").matches ? 1 - s : s);
+}
+
 function lines(svg, chosen, x, y) {
   const k = state.show;
   const others = sweep.parameters.map((_, i) => i).filter((i) => i !== state.x && isGrid(i));
@@ -197,7 +203,7 @@ function lines(svg, chosen, x, y) {
   const drawn = !isGrid(state.x);
   let i = 0;
   for (const [key, list] of series) {
-    const c = series.size === 1 ? "var(--curve)" : colour(0.9 * i / (series.size - 1));
+    const c = series.size === 1 ? "var(--curve)" : lineColour(i, series.size);
     if (numeric(state.x)) list.sort((a, b) => a.cells[state.x] - b.cells[state.x]);
     let d = "";
     for (const r of list)
