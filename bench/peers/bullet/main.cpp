@@ -72,6 +72,48 @@ void rodPendulumOfBodies(double h, Answer& a) {
   a.stop();
 }
 
+void bob(double h, Answer& a) {
+  BulletWorld w({0, 0, -9.81});
+  w.chain({{1, 1, 1, 1e-15}}, true);
+  w.tree->setJointPos(0, std::acos(-1.0));
+  a.start();
+  march(
+      h, 10.0, {1.0, 2.0, 5.0, 10.0}, a, [&] { w.step(h); },
+      [&](std::size_t) {
+        const double q = w.tree->getJointPos(0);
+        a.add(std::cos(q)), a.add(-std::sin(q));
+      });
+  a.stop();
+}
+
+void fourBars(double h, Answer& a) {
+  BulletWorld w({0, 0, -9.81});
+  const btVector3 y(0, 1, 0);
+  const double third = 1.0 / 12;
+  std::vector<btRigidBody*> cranks;
+  for (int i = 0; i < 3; ++i) {
+    btRigidBody& crank = w.shapeless(1, {third, third, 1e-3}, {double(i), 0, 0.5});
+    crank.setLinearVelocity({0.5, 0, 0}), crank.setAngularVelocity({0, 1, 0});
+    w.add(std::make_unique<btHingeConstraint>(crank, btVector3(0, 0, -0.5), y));
+    cranks.push_back(&crank);
+  }
+  for (int i = 0; i < 2; ++i) {
+    btRigidBody& coupler = w.shapeless(1, {1e-3, third, third}, {i + 0.5, 0, 1});
+    coupler.setLinearVelocity({1, 0, 0});
+    for (const int end : {0, 1})
+      w.add(std::make_unique<btHingeConstraint>(*cranks[i + end], coupler, btVector3(0, 0, 0.5),
+                                                btVector3(end - 0.5, 0, 0), y, y));
+  }
+  a.start();
+  march(
+      h, 10.0, {1.0, 10.0}, a, [&] { w.step(h); },
+      [&](std::size_t) {
+        const btVector3 p = cranks[0]->getCenterOfMassPosition();
+        a.add(p.x()), a.add(p.z());
+      });
+  a.stop();
+}
+
 void slope(double h, Answer& a, bool stick) {
   const double angle = 20.0 * std::acos(-1.0) / 180.0, g = 9.81;
   BulletWorld w({-g * std::sin(angle), 0, -g * std::cos(angle)});
@@ -148,6 +190,8 @@ int main(int argc, char** argv) {
   for (const bool rods : {true, false})
     lines.push_back({rods ? "rod_pendulum" : "double_pendulum", "multibody, Runge-Kutta 4",
                      peer::kSmoothSteps, [=](double h, Answer& a) { pendulum(h, a, rods, true); }});
+  lines.push_back({"pendulum", "multibody, Runge-Kutta 4", peer::kSmoothSteps, bob});
+  lines.push_back({"four_bars", "bodies with hinges, 50", peer::kSmoothSteps, fourBars});
   lines.push_back(
       {"rod_pendulum", "bodies with hinges, 50", peer::kSmoothSteps, rodPendulumOfBodies});
   lines.push_back(
