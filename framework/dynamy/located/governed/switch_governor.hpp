@@ -77,6 +77,7 @@ class SwitchGovernor {
   double windowEvaluations_ = 0.0, windowStepWork_ = 0.0;
   double switchWork_ = 0.0;  // work in the window of steps with a switch
   double creeping_ = 0.0;    // windows in turn that have covered hardly any time
+  bool crept_ = false;       // they alone were the reason of the last turn
   double oneSwitch_ = 0.0;   // work of a switch, as of the last turn
   double bearable_ = 0.0;    // not stored with a state: of use right after a turn alone
   bool tooFast_ = false;
