@@ -21,22 +21,23 @@ constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 
 void SwitchGovernor::archive(NumberArchive& a) {
   a.choice(mode_, 3), a.choice(turnedBy_, 4), a(turnedAt_);
-  a(h_), a(began_), a(stay_), a(window_), a(windowWork_), a(windowEvaluations_);
-  a(windowStepWork_), a(switchWork_), a(creeping_), a(crept_), a(oneSwitch_), a(switches_),
+  a(h_), a(began_), a(stay_), a(window_.time), a(window_.work), a(window_.evaluations);
+  a(window_.stepWork), a(window_.switchWork), a(creeping_), a(crept_), a(oneSwitch_), a(switches_),
       a(stepWork_), a(patience_);
 }
 
 bool SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
                              bool switched, ContactKey at) {
   turnedAt_ = at;
-  window_ += dt, windowWork_ += work, windowEvaluations_ += static_cast<double>(evaluations);
-  windowStepWork_ = std::max(windowStepWork_, stepWork), switchWork_ += switched ? work : 0.0;
-  if (windowEvaluations_ < kWindow && windowWork_ < kWindowWork) return false;
-  const double instead = window_ / (tolerance_ * T_) * windowStepWork_;
-  const bool dear = switchWork_ > kDearer * instead, fast = windowWork_ > kFast * instead;
-  creeping_ = window_ < kLeastWindow * T_ ? creeping_ + 1.0 : 0.0;
+  window_.time += dt, window_.work += work, window_.evaluations += static_cast<double>(evaluations);
+  window_.stepWork = std::max(window_.stepWork, stepWork),
+  window_.switchWork += switched ? work : 0.0;
+  if (window_.evaluations < kWindow && window_.work < kWindowWork) return false;
+  const double instead = window_.time / (tolerance_ * T_) * window_.stepWork;
+  const bool dear = window_.switchWork > kDearer * instead, fast = window_.work > kFast * instead;
+  creeping_ = window_.time < kLeastWindow * T_ ? creeping_ + 1.0 : 0.0;
   const bool creeps = creeping_ >= kMostCreeping;
-  window_ = windowWork_ = windowEvaluations_ = windowStepWork_ = switchWork_ = 0.0;
+  window_ = {};
   if (dear || fast || creeps) turn(t, TurnedBy::density, at);
   crept_ = creeps && !dear && !fast;
   tooFast_ = !dear, bearable_ = kBearable * (dear ? kDearer : kFast) * instead;

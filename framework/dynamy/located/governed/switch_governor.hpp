@@ -73,13 +73,16 @@ class SwitchGovernor {
   ContactKey turnedAt_ = kNowhere;
   double h_ = 0.0;                   // length of steps in time [s]
   double began_ = 0.0, stay_ = 0.0;  // begin of the present mode; least duration of stepping [s]
-  double window_ = 0.0, windowWork_ = 0.0;  // duration and work of the window of located steps
-  double windowEvaluations_ = 0.0, windowStepWork_ = 0.0;
-  double switchWork_ = 0.0;  // work in the window of steps with a switch
-  double creeping_ = 0.0;    // windows in turn that have covered hardly any time
-  bool crept_ = false;       // they alone were the reason of the last turn
-  double oneSwitch_ = 0.0;   // work of a switch, as of the last turn
-  double bearable_ = 0.0;    // not stored with a state: of use right after a turn alone
+  struct Window {
+    double time = 0.0, work = 0.0;  // duration [s] and work of its located steps
+    double evaluations = 0.0, stepWork = 0.0;
+    double switchWork = 0.0;  // work of steps with a switch
+  };
+  Window window_;
+  double creeping_ = 0.0;   // windows in turn that have covered hardly any time
+  bool crept_ = false;      // they alone were the reason of the last turn
+  double oneSwitch_ = 0.0;  // work of a switch, as of the last turn
+  double bearable_ = 0.0;   // not stored with a state: of use right after a turn alone
   bool tooFast_ = false;
   double switches_ = 0.0, stepWork_ = 0.0;  // shortened steps, and work, of stepping since began_
   StepPatience patience_;

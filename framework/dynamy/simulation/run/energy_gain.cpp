@@ -25,7 +25,7 @@ EnergyGain::Rise EnergyGain::rise(const MechanicalSystem& system, const State& b
 
 double EnergyGain::takeBack(const MechanicalSystem& system, const StepReport& report,
                             const State& before, State& after) {
-  if (report.resting || (report.solved.ok() && !system.implicitForces().unresolved())) return 0.0;
+  if (report.resting || (report.solved.ok() && system.implicitForces().damped() == 0)) return 0.0;
   const Rise r = rise(system, before, after, report.dt);
   if (!(r.share() > kTakenBack)) return 0.0;
   const double taken = std::min(r.energy, r.kineticEnd);

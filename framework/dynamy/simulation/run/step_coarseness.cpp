@@ -23,11 +23,11 @@ Coarseness StepCoarseness::of(const MechanicalSystem& system, const State& befor
                         gain(system, before, after, dt));
 }
 
-/// Energy that a step brought in whose forces are unresolved, over T at its beginning and end. Their
+/// Energy that a step brought in that damps forces, over T at its beginning and end. Their
 /// tangent at the beginning, with which they are damped, does not hold where they turn.
 double StepCoarseness::gain(const MechanicalSystem& system, const State& before, const State& after,
                             double dt) {
-  if (!system.implicitForces().unresolved() || !after.u.allFinite()) return 0.0;
+  if (system.implicitForces().damped() == 0 || !after.u.allFinite()) return 0.0;
   return gain_.rise(system, before, after, dt).share();
 }
 
