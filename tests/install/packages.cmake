@@ -20,7 +20,7 @@ foreach(package IN LISTS packages)
 endforeach()
 set(usr ${folder}/root/usr)
 
-foreach(file bin/dynamy lib/dynamy/libdynamy_elements.so share/dynamy/models/woodpecker.xml
+foreach(file bin/dynamy lib/dynamy/libdynamy_elements.so share/dynamy/models/woodpecker.xml share/doc/dynamy/run_folder.md
     share/man/man1/dynamy.1 share/bash-completion/completions/dynamy share/doc/dynamy/copyright
     include/dynamy/dynamy.hpp lib/libdynamy.so lib/cmake/dynamy/dynamyConfig.cmake)
   if(NOT EXISTS ${usr}/${file})

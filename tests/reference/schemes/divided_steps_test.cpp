@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <dynamy/simulation/run/energy_gain.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
 #include <reference/scene.hpp>
 #include <tuple>
@@ -166,6 +167,48 @@ TEST(DividedSteps, LetASpringThatTheyDampGainNothing) {
   EXPECT_EQ(s.report().trust.slowed.steps, 0);
   // The common velocity of 50 m/s is not touched; forces of 2e9 N leave 1e-16 of their impulse of 4e7 N s.
   EXPECT_NEAR(s.state().u[1] + s.state().u[4], 100.0, 1e-7);
+}
+
+/// A mass of 2 kg that flies in a plane, and one on a spring whose other end moves: V = 50 (y − sin t)² J.
+const char* const kFlying =
+    "<dynamy version=\"1\"><systems><PointMass name=\"m\" plane=\"xz\" mass=\"2\"/><Coordinates "
+    "name=\"c\" q=\"y\" M=\"1\" potential=\"50*(y - sin(t))^2\"/></systems><simulation until=\"1\" "
+    "step=\"0.1\"/></dynamy>";
+
+struct Gained {
+  explicit Gained(const Eigen::Vector3d& u) : scene("flying", {.text = kFlying}) {
+    before = after = scene.state();
+    after.t = before.t + 0.1;
+    before.u << 3.0, 4.0, 0.0;
+    after.u = u;
+    scene.system().evaluate(before);
+    scene.system().impactProblem(before, 0.1);
+    report.dt = 0.1;
+  }
+  double taken(SolveStatus status) {
+    report.solved.status = status;
+    EnergyGain gain(scene.model());
+    return gain.takeBack(scene.system(), report, before, after);
+  }
+  Scene scene;
+  State before, after;
+  StepReport report;
+};
+
+TEST(EnergyGain, IsTakenFromVelocitiesAfterAStepThatIsNotSolved) {
+  // T = 25 J before and 100 J after: velocities are halved, to rounding.
+  Gained twice({6.0, 8.0, 0.0});
+  EXPECT_NEAR(twice.taken(SolveStatus::stalled), 75.0, 1e-12);
+  EXPECT_NEAR((twice.after.u - twice.before.u).norm(), 0.0, 1e-12);
+  Gained solved({6.0, 8.0, 0.0});
+  EXPECT_EQ(solved.taken(SolveStatus::solved), 0.0);
+  EXPECT_EQ(solved.after.u, Eigen::Vector3d(6.0, 8.0, 0.0));
+}
+
+TEST(EnergyGain, IsNoneWhereThePotentialChangesWithTime) {
+  // V rises from 0 to 50 sin² 0.1 = 0.498 J, 2 % of T, and no body gains.
+  Gained still({3.0, 4.0, 0.0});
+  EXPECT_EQ(still.taken(SolveStatus::stalled), 0.0);
 }
 
 }  // namespace

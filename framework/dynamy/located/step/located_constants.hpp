@@ -56,9 +56,9 @@ struct SlipConstants {
 /// Checks of the bias that elements report (theory 52.4).
 struct BiasConstants {
   static constexpr double difference = 1e-4;  ///< of T: for γ̇ by differences
-  static constexpr double share = 1e-3;       ///< of the sum of absolute values in γ̇ of the row,
-  static constexpr double ofOthers = 1e-7;    ///< and of the largest row of its contact
-  static constexpr double noise = 1e-9;       ///< of L/T² and 1/T²: errors that count as none
+  static constexpr double share = 1e-3;       ///< of the sum of absolute values in γ̇
+  static constexpr double truncation = 1e-7;  ///< of γ̇, and of γ/T: ten times (δ/T)²
+  static constexpr double noise = 1e-12;      ///< of L/T² and 1/T²: rates that count as zero
   /// Of rounding: γ from four places of a difference, each a sum of some products.
   static constexpr double roundings = 16.0;
   static constexpr double noRate = 1e-9;   ///< of L/T² and 1/T²: differences that count as zero

@@ -140,12 +140,15 @@ int MissingBias::firstWrong(const MechanicalSystem& s, const PhasePoint& p, cons
   rates_ = p.a.cwiseAbs();
   sums_.assign(static_cast<std::size_t>(c.rows()), 0.0);
   c.addAbsolute(view(std::as_const(rates_)), sums_.data());
-  // The difference holds the rounding of γ over d and its change in d. W turns with a body, and so both
+  // The difference holds the rounding of γ over d, and its truncation. W turns with a body, and so both
   // are in a row across the motion what they are in the row along it.
   rates_ = p.x.u.cwiseAbs();
   gammaSums_.assign(static_cast<std::size_t>(c.rows()), 0.0);
   c.addAbsolute(view(std::as_const(rates_)), gammaSums_.data());
-  const double rounding = BiasConstants::roundings * std::numeric_limits<double>::epsilon() / d;
+  const double truncation = BiasConstants::truncation;
+  const double ofSpeed = (BiasConstants::roundings * std::numeric_limits<double>::epsilon() +
+                          truncation * BiasConstants::difference) /
+                         d;
   for (int i = 0; i < c.size(); ++i) {
     // The lowest point of a circle may run around it within d.
     if (c.features.isOnCircle(i)) continue;
@@ -158,8 +161,8 @@ int MissingBias::firstWrong(const MechanicalSystem& s, const PhasePoint& p, cons
       const auto row = static_cast<std::size_t>(r);
       reported_[r] += c.bias[row] - c.chi[row];
       if (std::abs(found_[r] - reported_[r]) >
-          BiasConstants::share * (sums_[row] + std::abs(found_[r])) +
-              BiasConstants::ofOthers * rate + noise + rounding * speed)
+          BiasConstants::share * (sums_[row] + std::abs(found_[r])) + noise + truncation * rate +
+              ofSpeed * speed)
         return r;
     }
   }

@@ -14,13 +14,20 @@ EnergyGain::Rise EnergyGain::rise(const MechanicalSystem& system, const State& b
                                   const State& after, double dt) {
   Rise r;
   r.kineticStart = meter_.kinetic(before), r.kineticEnd = meter_.kinetic(after);
-  r.energy = r.kineticEnd - r.kineticStart + meter_.potential(after) - meter_.potential(before);
+  // V of both places at one time: what changes V with time is work of its own.
+  const double tM = 0.5 * (before.t + after.t);
+  r.energy = r.kineticEnd - r.kineticStart + potentialAt(tM, after) - potentialAt(tM, before);
   r.energy -= 0.5 * dt * system.slot(0).hNonPotential.dot(before.u + after.u);
   const ContactSet& c = system.slot(0).contacts;
   const ConstVec Lambda = system.problem().Lambda();
   for (int k = 0; k < c.rows() && Lambda.size() == c.rows(); ++k)  // moving ground, driven joints
     r.energy += Lambda[k] * c.chi[static_cast<std::size_t>(k)];
   return r;
+}
+
+double EnergyGain::potentialAt(double t, const State& x) {
+  at_.q = x.q, at_.u = x.u, at_.memory = x.memory, at_.t = t;
+  return meter_.potential(at_);
 }
 
 double EnergyGain::takeBack(const MechanicalSystem& system, const StepReport& report,

@@ -22,7 +22,9 @@ class EnergyGain {
                   State& after);
 
  private:
+  double potentialAt(double t, const State& x);
   EnergyMeter meter_;
+  State at_;
 };
 
 }  // namespace dynamy

@@ -27,7 +27,7 @@ struct Coarseness {
   /// Overlap to which a part leads, over the size of the smallest body. Its parts are no shorter
   /// than 1/kMostAhead of a full step: thin bodies among many are not to multiply the cost.
   static constexpr double kMostForeseen = 0.005, kMostAhead = 8.0;
-  /// Energy that unresolved forces may bring into a part, over T; the run warns of 2 % in all. The
+  /// Energy that unresolved forces may bring into a part, over T; the run warns of 1 % in all. The
   /// tangent with which they are damped leaves errors of order 2, and at most so many parts are
   /// tried at once.
   static constexpr double kMostGain = 0.002, kMostAtOnce = 8.0;

@@ -67,13 +67,13 @@ MissingBias::Verdict verdictOn(double bias, bool shapes, std::string& why) {
 
 TEST(MissingBias, RoundingOfAFastContactIsNoWrongBias) {
   // γ of the normal row is 64e-16 m/s of rounding, its difference over 1e-9 s up to 1e-5 m/s²: more
-  // than the 1e-9 L/T² that count as zero. The bias of 1e-30 only says that one is told.
+  // than the 1e-12 L/T² that count as zero. The bias of 1e-30 only says that one is told.
   std::string why;
   EXPECT_EQ(verdictOn(1e-30, false, why), MissingBias::Verdict::right);
 }
 
 TEST(MissingBias, AWrongBiasIsTold) {
-  // 1e-6 of the engine's acceleration.
+  // 1e-6 of the engine's acceleration; the difference is good to 1e-8 of it.
   std::string why;
   EXPECT_EQ(verdictOn(1e3, false, why), MissingBias::Verdict::wrong);
   EXPECT_NE(why.find("tells a wrong bias of its row 0: with it γ changes by "), std::string::npos)
