@@ -22,6 +22,7 @@ GapWatch::GapWatch(Model& model, RunReport& report)
 
 void GapWatch::start(const StepView& initial) {
   const std::vector<const SetValuedForceLaw*>& laws = initial.system.slot(0).contacts.law;
+  rows_ = RowInstants(model_.record, model_.simulation.until);  // settings at the start of the run
   joints_ = std::any_of(laws.begin(), laws.end(),
                         [](const SetValuedForceLaw* law) { return holds(law->rowKind(0)); });
   positions(initial.after);
@@ -31,7 +32,7 @@ void GapWatch::start(const StepView& initial) {
 void GapWatch::rows(const StepView& view) {
   const double from = view.before.t, to = view.after.t;
   rows_.after(from);
-  for (int i = 0; i < kMostRowsSeen && rows_.next() < to; ++i, rows_.pass()) {
+  for (int i = 0; i < kMostRowsSeen && rows_.next() <= to; ++i, rows_.pass()) {
     const double theta = (rows_.next() - from) / (to - from);
     view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
     at_.memory = view.before.memory;
@@ -40,7 +41,7 @@ void GapWatch::rows(const StepView& view) {
 }
 
 void GapWatch::step(const StepView& view) {
-  if (view.report.counts.stepped) rows(view);
+  if (view.report.counts.stepped) return rows(view);
   // Bodies that pass others unseen, and those that damped forces move away from the path that the
   // step looked at, end in overlaps that the step itself has not evaluated.
   if (report_.passing.left > 0 || report_.trust.damped > 0) return overlaps(view.after);

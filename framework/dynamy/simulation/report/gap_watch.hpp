@@ -23,7 +23,7 @@ class GapWatch {
   GapWatch(Model& model, RunReport& report);
   /// `initial`: view of the initial state, where bodies may overlap.
   void start(const StepView& initial);
-  /// Extrapolates overlaps to the end of the step.
+  /// Extrapolates overlaps to the end of the step, or looks at rows in a step in time.
   void step(const StepView& view);
   /// Evaluates joints at the end of the step, if something is held there.
   void sample(const StepView& view);

@@ -42,7 +42,7 @@ void RunWatch::step(const StepView& view) {
     resolution_.skip();
   }
   report_.trust.damped = std::max(report_.trust.damped, view.system.implicitForces().damped());
-  if (!view.scheme.choosesSteps()) gaps_.step(view);
+  if (!view.scheme.choosesSteps() || view.report.counts.stepped) gaps_.step(view);
   // A run that diverges is not to go on up to the next sample.
   if (view.after.t >= nextSample_ || view.after.u.squaredNorm() > kMuchFaster * fastest_)
     sample(view);
