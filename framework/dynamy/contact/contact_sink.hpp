@@ -121,8 +121,8 @@ class ContactSink {
     presence(lift - kLowest * request_.flat), set_->features.circle.back() = 1;
   }
   void note(std::uint64_t id) { set_->features.noted.push_back(contactKey(element_, id)); }
-  /// Counts a pair whose gap takes a search.
-  void searched() { ++set_->features.searched; }
+  /// Counts the work of a pair whose gap takes a search, in evaluations of one velocity.
+  void searched(double work) { set_->features.searched += work; }
   /// Reports two bodies whose contacts come and go; overlap(): the depth of their overlap [m], `id`:
   /// the least number that a contact of theirs may have, `jumps`: their contacts jump.
   void comesAndGoes() { set_->features.comeAndGo = true; }

@@ -17,7 +17,7 @@ struct FollowedFeatures {
   /// is by how much it is further below its middle than that of a flat circle.
   std::vector<char> circle;
   std::vector<ContactKey> noted;  ///< pairs that may touch soon
-  long searched = 0;              ///< pairs whose gap took a search, which costs more than others
+  double searched = 0.0;          ///< work of gaps that took a search, in evaluations of a velocity
   bool comeAndGo = false;         ///< some contacts here come and go with the features that touch
   /// Deepest overlap of bodies whose contacts come and go [m], −∞: there are none; and the least
   /// number that a contact of theirs may have.
@@ -32,7 +32,7 @@ struct FollowedFeatures {
     return static_cast<std::size_t>(i) < circle.size() && circle[static_cast<std::size_t>(i)] != 0;
   }
   void clear() {
-    presence.clear(), circle.clear(), noted.clear(), comeAndGo = false, searched = 0;
+    presence.clear(), circle.clear(), noted.clear(), comeAndGo = false, searched = 0.0;
     overlap = jumpingOverlap = -std::numeric_limits<double>::infinity();
   }
 };

@@ -15,6 +15,8 @@ constexpr double kQuarter = 0.25, kLeastSense = 1e-3;
 /// Velocities and rows of a usual evaluation, and its work; one of a larger model is worth more.
 constexpr double kUsualRows = 80, kUsualEvaluation = 100 * kUsualRows;
 constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to the step
+/// Of the length that a step in time might have: one that an island makes shorter is held up.
+constexpr double kHeldUp = 0.5;
 
 /// The time in which velocities u pass through their scales, between the times T_i of the fastest and
 /// of the slowest island: accelerations at the start of the run, of springs that it finds stretched,
@@ -22,11 +24,6 @@ constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to
 double presentTime(const ErrorNorm& norm, const Eigen::VectorXd& u) {
   const double rate = (u.array().abs() / norm.velocityScales().array()).maxCoeff();
   return std::max(norm.time(), std::min(1.0 / rate, norm.times().maxCoeff()));
-}
-
-/// How often solvers have visited a contact so far.
-double visits(const MechanicalSystem& s) {
-  return s.limits.work != nullptr ? static_cast<double>(s.limits.work->visits) : 0.0;
 }
 
 /// Number of systems with velocities that are stepped in time.
@@ -116,10 +113,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
     steppedFrom_.scheme = kept.scheme;
     return kept.any() ? stepInTime(s, solver, x, dt, s.evaluations()) : stepApart(s, solver, x, dt);
   }
-  RunPatience& patience = governed_.state().patience;
-  governed_.allow(patience.allowance(governed_.motion().settings().patience,
-                                     static_cast<double>(s.parts().topology->nu()), x.t,
-                                     s.limits.end));
+  governed_.allow(allowance(s, x.t));
   const Refusal refusal = governed_.locate(s, solver, x, dt, report);
   if (governed_.turned()) steps_.begin(), steppedFrom_.scheme.resize(0);
   if (refusal.passable) {
@@ -138,6 +132,13 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
     governed_.store(x);
   }
   return report;
+}
+
+/// What the run may spend up to t.
+WorkAllowance LocatedDormandPrince::allowance(const MechanicalSystem& s, double t) {
+  return governed_.state().patience.allowance(governed_.motion().settings().patience,
+                                              static_cast<double>(s.parts().topology->nu()), t,
+                                              s.limits.end);
 }
 
 /// A step of islands with clocks of their own, none of which is stepped in time: up to the end of the
@@ -228,7 +229,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   }
   governor.scales(norm.tolerance(), stepped.time);
   islands_.start(s.parts());
-  const double visited = visits(s);
+  const double visited = s.limits.visits();
   steppedFrom_.t = x.t, steppedFrom_.q = x.q, steppedFrom_.u = x.u;
   steppedFrom_.memory = x.memory, steppedFrom_.impulses = x.impulses;
   const InTime taken = tryInTime(s, solver, x, dt);
@@ -259,12 +260,15 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   // and more among many rows.
   const ContactSet& contacts = s.slot(0).contacts;
   const double larger = std::max(1.0, governed_.steppedWork(s, 1.0, 0.0) / kUsualEvaluation) +
-                        RunPatience::kSearch / kUsualRows *
-                            static_cast<double>(contacts.features.searched),
+                        contacts.features.searched / kUsualRows,
                longer = std::max(1.0, contacts.rows() / kUsualRows);
-  const double worth = evaluated * larger + (visits(s) - visited) / kUsualRows * longer;
+  const double worth = evaluated * larger + (s.limits.visits() - visited) / kUsualRows * longer;
+  RunPatience& patience = governed_.state().patience;
+  const double part = taken.h / std::min(governor.h(), dt),
+               lost = part < kHeldUp ? kUsualRows * worth * (1.0 - part) : 0.0;
+  stepped.heldUp = stepped.held.tooDear(taken.h, lost, allowance(s, x.t));
   governor.stepped(x.t, taken.h, taken.error, work, taken.rejected > 0, worth, s.limits.end);
-  governed_.state().patience.spend(kUsualRows * worth);
+  patience.spend(kUsualRows * worth);
   governed_.state().next = nextInTime(clocks_.clocks(), x.t, governor.h());
   stepped.rate = steps_.rate(), stepped.overlap = steps_.overlap();
   stepped.projected = steps_.projected(), stepped.scheme = x.scheme;

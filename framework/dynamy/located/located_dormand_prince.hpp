@@ -61,6 +61,7 @@ class LocatedDormandPrince : public OneStep {
     long again = 0;  // evaluations that a resumed run makes once more
     std::string refused{};
   };
+  WorkAllowance allowance(const MechanicalSystem& s, double t);
   StepReport stepApart(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   InTime tryInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,

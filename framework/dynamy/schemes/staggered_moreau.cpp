@@ -73,6 +73,7 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
 SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                    double dt) {
   SolveReport report;
+  const bool hurried = s.limits.effort == Effort::little;
   for (;;) {  // the loop ends, since contacts are only added
     problem_->linearlyImplicit(x, kImplicitMidpoint);
     const int iterations = report.iterations, newton = report.newton;
@@ -80,6 +81,7 @@ SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver,
     report = problem_->solve(solver);
     report.iterations += iterations, report.newton += newton, report.inVain |= inVain;
     if (!report.ok() || report.inVain) s.limits.effort = Effort::retried;
+    if (!report.ok() && hurried) return report;
     if (!problem_->bringIn()) {
       if (report.ok() || !aim_.divide) return report;
       aim_.divide = false;  // the impact waits for an overlap: another problem, once

@@ -295,11 +295,13 @@ SolveReport Automatic::boundedSweeps(const InclusionProblem& p, Vec Lambda, Solv
   const double aim = near ? std::max(now / 3.0, options_.tolerance) : kEnough;
   const int before = report.iterations;
   packed_.sweeps(p, aim, near ? kFewSweeps : kMostSweeps, Lambda, report);
-  if (report.residuals.largest() > kAccepted)
+  // Where nearly all steps fail, more sweeps only cost more.
+  const bool goesOn = p.effort != Effort::little;
+  if (report.residuals.largest() > kAccepted && goesOn)
     packed_.sweeps(p, kAccepted, kLastSweeps, Lambda, report);
   report.note(report.method, before);
   // Without bodies a Newton step eliminates all rows.
-  if (report.residuals.largest() <= kAccepted || !p.G->hasBodies()) return report;
+  if (report.residuals.largest() <= kAccepted || !p.G->hasBodies() || !goesOn) return report;
   // Sweeps may end in a cycle of single contacts.
   keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
   const NewtonLimits most{kLastNewton, 0, 0};

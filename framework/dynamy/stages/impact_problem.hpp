@@ -22,12 +22,16 @@ struct StepLimits {
   /// The step is a part of another: forces that it resolves are taken by a neutral rule, which keeps
   /// their energy although parts are not equal.
   bool neutral = false;
+  /// Length of the scene [m]; infinity: not known.
+  double length = std::numeric_limits<double>::infinity();
   /// End of the run [s]; infinity: not known.
   double end = std::numeric_limits<double>::infinity();
   Workers* workers = nullptr;               ///< threads; null: the caller's alone. Borrowed.
   const std::atomic<bool>* stop = nullptr;  ///< solvers stop once it is set; null: never. Borrowed.
   SolverWork* work = nullptr;  ///< counts what solvers do; null: nobody does. Borrowed.
   Delassus::Form form = Delassus::Form::automatic;  ///< of G; tests compare all of them
+  /// How often solvers have visited a contact so far.
+  double visits() const { return work != nullptr ? static_cast<double>(work->visits) : 0.0; }
 };
 
 class ImpactProblem : public InclusionProblem {

@@ -12,6 +12,9 @@ namespace {
 /// Most turns, and most of them that do not halve the largest violation: linear problems that
 /// contradict each other from turn to turn lead further and further away.
 constexpr int kMostProjections = 12, kMostIdle = 3;
+/// Gaps that the way of a few violations can close take part in a projection, but only the part of the
+/// scene's length that follows: a joint that is off by much more would bring in all bodies.
+constexpr double kWay = 8.0, kFarthest = 0.1;
 /// Most rows for which contacts are closed before their impact.
 constexpr int kMostTouched = 200;
 /// Share of the largest diagonal entry that is added to the diagonal: redundant rows then share.
@@ -199,8 +202,8 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
   };
   for (int turn = 0; worst > tolerance; ++turn) {
     if (turn == kMostProjections || idle == kMostIdle || !std::isfinite(worst)) return giveUp();
-    // Gaps that the way of a few violations can close take part.
-    const Evaluation& e = s.evaluate(x, {.slot = slot, .reach = std::max(reach, 8.0 * worst)});
+    const double way = std::min(kWay * worst, kFarthest * s.limits.length);
+    const Evaluation& e = s.evaluate(x, {.slot = slot, .reach = std::max(reach, way)});
     select(s, e.contacts, x, level);
     problem_.effort = effort;
     const bool solved = level == Level::touch ? close(e) : solve(e, *solver);

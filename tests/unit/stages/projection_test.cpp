@@ -59,6 +59,22 @@ TEST(Projection, OpensOverlapsAndClosesNoGap) {
   EXPECT_NEAR(s.x.q[1], 0.5 - 0.1 * kM1 / (kM1 + kM2), kSolved);
 }
 
+TEST(Projection, LooksNoFurtherThanATenthOfTheScene) {
+  // The rod is too long by 0.1 m. Of a scene without a known length the ground 0.5 m below takes part
+  // in the projection, of one of 1 m it does not: less work for the same place.
+  long visits[2] = {0, 0};
+  for (const bool known : {false, true}) {
+    LinkedMasses s(kMasses, Vector2d(1.6, 0.5), Vector2d::Zero(), {{0, 1, 1.0}}, {{0, 1, -1}});
+    SolverWork work;
+    s.system->limits.work = &work;
+    if (known) s.system->limits.length = 1.0;
+    ASSERT_TRUE(Projection().positions(*s.system, s.solver, s.x, 1e-12));
+    EXPECT_NEAR(s.x.q[1], 0.5 + 0.1 * kM1 / (kM1 + kM2), kSolved);
+    visits[known ? 1 : 0] = work.visits;
+  }
+  EXPECT_LT(visits[1], visits[0]);
+}
+
 TEST(Projection, DoesNotMendAJointAtTheCostOfAContact) {
   // Mass 1 lies on the ground and may not go below: the rod moves mass 0 alone.
   LinkedMasses s(kMasses, Vector2d(0.9, 0.0), Vector2d::Zero(), {{0, 1, 1.0}}, {{0, 1, -1}});

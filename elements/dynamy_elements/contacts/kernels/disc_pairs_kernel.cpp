@@ -9,8 +9,14 @@ namespace {
 
 using Touch = TouchingShape::Kind;
 
+/// Work of two rims, of a rim on a capsule, and on each corner of a polyhedron (bench_gaps).
+constexpr double kRimWork = 120.0, kRimOnCapsule = 45.0, kRimOnCorner = 2.7;
+
 class Discs final : public PairKernel {
  public:
+  double work(const TouchingShape&, const TouchingShape& b) const override {
+    return b.kind == Touch::capsule ? kRimOnCapsule : kRimWork;
+  }
   void contacts(PairReport& report) const override {
     const PosedPair& p = report.pair();
     const ContactRequest& asked = report.request();
@@ -44,6 +50,9 @@ class Discs final : public PairKernel {
 
 class DiscOnPolyhedron final : public PairKernel {
  public:
+  double work(const TouchingShape& a, const TouchingShape&) const override {
+    return kRimOnCorner * static_cast<double>(a.polyhedron->corners().size());
+  }
   void contacts(PairReport& report) const override {
     const PosedPair& p = report.pair();
     const ContactRequest& asked = report.request();

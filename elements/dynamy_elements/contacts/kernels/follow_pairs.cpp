@@ -11,6 +11,8 @@ namespace {
 constexpr double kNear = 1e-3;
 /// Factor on the motion that the speeds predict, so that it bounds the motion between two checks.
 constexpr double kFaster = 1.5;
+/// Work of one pair of features, as a part of that of a gap; of the gap and of all that are near.
+constexpr double kOneWork = 0.1, kAllWork = 2.0;
 
 /// Motion of B relative to A in the time τ near the smaller of the two.
 Nearness movesWithin(const PosedPair& pair, double tau) {
@@ -116,6 +118,7 @@ void followPairs(PairReport& report, const Pairs& pairs) {
   for (const ContactKey key : sink.asked(first, end)) {
     const auto feature = static_cast<int>(contactNumber(key) - first);
     const FollowedPair pair = pairs.pair(feature, sink.request().bias);
+    sink.searched(kOneWork * report.rule().work);
     report.add(contactNumber(key) - report.id(), pair.at);
     pair.circle >= 0.0 ? sink.circle(pair.circle) : sink.presence(pair.presence);
   }
@@ -123,6 +126,7 @@ void followPairs(PairReport& report, const Pairs& pairs) {
   if (tau < 0.0) return;
   Nearness within = movesWithin(report.pair(), tau);
   if (apartAtOnce(report, within.reach)) return;
+  sink.searched(kAllWork * report.rule().work);
   const double gap = pairs.separation();
   if (gap > within.reach) return;
   sink.overlap(-gap, report.id(), false);

@@ -21,6 +21,7 @@ struct PairRule {
   std::uint64_t followed = 0;  ///< number of the first followed pair of features
   int rows = 4;  ///< normal, tangents, spin about the normal; in a plane normal, tangent
   Following following = Following::gaps;
+  double work = kGapWork;  ///< of one gap, in evaluations of one velocity
 };
 
 class PairReport {

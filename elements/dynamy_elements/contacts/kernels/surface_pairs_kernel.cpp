@@ -14,6 +14,8 @@ using Touch = TouchingShape::Kind;
 
 /// Distance, in radii of a ball, from which on it searches for a surface that it may pass.
 constexpr double kSeen = 1000.0;
+/// Work of a ball on a mesh, of which the few faces near it are looked at.
+constexpr double kBallWork = 15.0;
 
 /// Largest gap of B reported on a surface of A, which has one side: at most B's size [m].
 double seenFrom(const PairReport& report) {
@@ -34,6 +36,9 @@ std::uint64_t withNearest(const TouchingShape& a) {
 /// Balls roll over a convex body without a jump, over a mesh from valley to valley.
 class BallOnSurface final : public PairKernel {
  public:
+  double work(const TouchingShape& a, const TouchingShape&) const override {
+    return a.polyhedron ? kGapWork : kBallWork;
+  }
   void contacts(PairReport& report) const override;
   double gap(const PosedPair& p, std::size_t) const override {
     const double reach = seen(p.b);

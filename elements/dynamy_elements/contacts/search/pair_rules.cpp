@@ -255,6 +255,7 @@ void RuleSearch::addRule(std::size_t a, std::size_t b, PairLaws& laws, const Pai
   made.features = made.kernel->features(*A, *B);
   made.followed = made.features - made.kernel->followed(*A, *B);
   made.following = made.kernel->following(*A, *B);
+  made.work = made.kernel->work(*A, *B);
   const auto number = static_cast<int>(out_.rules_.size());
   out_.table_[a * groups_.size() + b] = out_.table_[b * groups_.size() + a] = number;
   out_.rules_.push_back(made);

@@ -109,16 +109,15 @@ void ShapeContacts::report(const TouchingPair& pair, Look look, const Kinematics
   PairReport to(posed, rule, pair.id, reach, sink, features_);
   if (!sink.request().follow) {
     // Searches for these pairs take longest, and most of them are apart.
-    const bool searched =
-        rule.following == Following::jumping || rule.following == Following::searched;
+    const bool searched = rule.work > kDearWork;
     const bool apart = searched && rule.plane == 0 && std::isfinite(reach) &&
                        seenApart(posed.a, posed.b, posed.A, posed.B, reach);
     if (apart) return;
-    if (searched) sink.searched();
+    if (searched) sink.searched(rule.work);
     return rule.kernel->contacts(to);
   }
   if (rule.following == Following::pairwise) return rule.kernel->follow(to);
-  if (rule.following != Following::gaps) sink.searched();
+  if (rule.following != Following::gaps) sink.searched(rule.work);
   const bool jumps = rule.following == Following::jumping,
              noted = jumps || (rule.following == Following::searched && !few),
              watches = look == Look::ahead || (jumps && sink.request().absent);

@@ -31,9 +31,6 @@ constexpr int kMostSweptParts = 64;
 /// Most pieces of half a step: bodies that turn by more than a thousand
 /// radians in it are resolved no further.
 constexpr int kMostHalf = 2048;
-/// Work of a gap, in evaluations of one velocity; of one that takes a search. Measured: 1 and
-/// 10 µs beside 0.35 µs.
-constexpr double kLook = 3.0, kSearch = 30.0;
 /// Most parts of a piece if a gap is only known up to a reach, which a part must not exceed.
 constexpr int kMostReaches = 4096;
 
@@ -226,14 +223,13 @@ Passing ShapeSweep::passing(const TouchingPair& pair, std::size_t f, const Swept
   const PosedPair posed{a, b, A, B, shapes_->plane(pair.rule->plane)};
   double start = kInfinity, end = 0.0, highest = -kInfinity;  // gaps, the last one of pieces so far
   double work = 0.0;
-  const double look = kernel.following(a, b) == Following::searched ? kSearch : kLook;
   int after = -1;  // the piece at the begin of which the gap is `end`
   for (int k = 0; k < path.pieces() && dt * k < latest; ++k) {
     const PairPiece piece(a, b, path, turns_, k);
     if (clearance(a, b, piece.a, piece.b) > depth) continue;
     const MovingFrame moveA(piece.a), moveB(piece.b);
     auto gapAt = [&](double s) {
-      work += look;
+      work += pair.rule->work;
       moveA.at(s, A), moveB.at(s, B);
       return kernel.gap(posed, f);
     };

@@ -7,10 +7,10 @@ namespace {
 constexpr int kDense = 64;  ///< problems with more rows are solved by sparse methods
 /// Floating-point operations of an evaluation of M, h and contacts, per velocity or row.
 constexpr double kPerRow = 100.0;
+constexpr double kFewRows = 80.0;
 constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
-/// In evaluations of one velocity: an evaluation costs so much besides, a decomposition of m rows
-/// m³/kRowsCubed, a gap kPerGap.
-constexpr double kEach = 5.0, kRowsCubed = 500.0, kPerGap = 4.0;
+/// Of what a run may spend: a step that is not done by then stalls.
+constexpr double kOneStep = 0.125;
 
 }  // namespace
 
@@ -35,19 +35,23 @@ bool GovernedMotion::load(const MechanicalSystem& s, const State& x) {
 Refusal GovernedMotion::locate(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
                                StepReport& report) {
   const long before = s.evaluations();
+  const double visited = s.limits.visits();
   SwitchGovernor& governor = state_.governor;
   const bool anew = fresh_ || governor.mode() == SwitchGovernor::Mode::decideAnew;
   const LocatedMotion::Start start{.held = anew ? nullptr : &state_.held,
                                    .scaled = !fresh_,
                                    .goesOn = !anew && stored_.size() > 0,
-                                   .lastSwitched = governor.turnedAt()};
+                                   .lastSwitched = governor.turnedAt(),
+                                   .most = kOneStep * allowed_.rate * allowed_.end};
   governor.mode(SwitchGovernor::Mode::locate);
   Refusal refusal = motion_.advance(s, solver, x, start, dt, report);
   const ErrorNorm& norm = motion_.parts().norm;
   governor.scales(norm.tolerance(), norm.time());
   if (anew) work_.begin(s.parts(), norm.times().size());
   stored_.resize(0);
-  spent_ = workOf(s, s.evaluations() - before - motion_.parts().repeated);
+  // A visit of a contact by solvers costs as much as one velocity, and more among many rows.
+  spent_ = motion_.parts().work(s, s.evaluations() - before - motion_.parts().repeated) +
+           (s.limits.visits() - visited) * std::max(1.0, s.slot(0).contacts.rows() / kFewRows);
   state_.patience.spend(spent_);
   if (refusal) {
     if (refusal.passable) governor.turn(x.t, TurnedBy::stall, motion_.lastSwitched());
@@ -100,17 +104,6 @@ void GovernedMotion::govern(const MechanicalSystem& s, long evaluations, const S
   if (state_.pace.tooDear(report.dt, spent_, allowed_) && !turned())
     state_.governor.giveUp(motion_.end().t, allowed_.end, motion_.lastSwitched());
   if (over && !turned()) work_.forget();
-}
-
-/// As fitted to the times of random scenes (theory 50.7).
-double GovernedMotion::workOf(const MechanicalSystem& s, long evaluations) const {
-  const FrozenPhase& phase = motion_.parts().motion.phase;
-  const ContactProbe::Looks& looks = motion_.parts().probe.looks;
-  const double n = static_cast<double>(s.slot(0).h.size()),
-               m = phase.held.empty() ? 0.0 : phase.rows().size();
-  return static_cast<double>(evaluations) * (kEach + n + m + m * m * m / kRowsCubed) +
-         kPerGap * static_cast<double>(looks.gaps) +
-         RunPatience::kSearch * static_cast<double>(looks.searched);
 }
 
 Eigen::VectorXd GovernedMotion::decidedAnew() const {

@@ -43,7 +43,6 @@ class GovernedMotion {
  private:
   void begin(const MechanicalSystem& s);
   void govern(const MechanicalSystem& s, long evaluations, const StepReport& report);
-  double workOf(const MechanicalSystem& s, long evaluations) const;
   LocatedMotion motion_;
   GovernedState state_;
   ChargedWork work_;

@@ -36,8 +36,11 @@ struct SteppedState {
   SearchPauses searches;
   std::vector<ClockState> clocks;  ///< of the islands whose switches are located
   Eigen::VectorXd scheme;          ///< of the time-stepping scheme
+  WorkPace held;        ///< work of steps in time that end early, with a step of a located island
+  bool heldUp = false;  ///< that work is too much
   void archive(NumberArchive& a) {
     a(systems), a(rate), a(overlap), a(projected), a(time), a(searches), a(clocks), a(scheme);
+    a(held), a(heldUp);
   }
 };
 

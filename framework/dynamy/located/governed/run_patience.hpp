@@ -21,7 +21,6 @@ struct WorkAllowance {
 
 class RunPatience {
  public:
-  static constexpr double kSearch = 35.0;  ///< work of a gap that takes a search
   /// end: of the run [s]; velocities: of the whole model.
   WorkAllowance allowance(double patience, double velocities, double t, double end) const;
   void spend(double work) { spent_ += work; }

@@ -266,11 +266,11 @@ void LocatedIslands::join(const MechanicalSystem& s, State& x) const {
 }
 
 void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped) {
+  const Topology& topology = *s.parts().topology;
   // This step, which included the contact of systems that touched, counts as the first of their
   // steps in time.
   const ContactSet& c = s.slot(0).contacts;
   const ConstVec Lambda = s.problem().Lambda();
-  const Topology& topology = *s.parts().topology;
   Islands islands;
   islands.start(s.parts());
   for (int i = 0; i < c.size(); ++i) {
@@ -281,6 +281,9 @@ void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped)
     if (acts) islands.join(c, i);
   }
   islands.spread(stepped.systems);
+  for (const auto& clock : clocks_)
+    if (stepped.heldUp && clock->now().to.t == t)
+      for (const int k : clock->systems()) stepped.systems[static_cast<std::size_t>(k)] = 1;
   for (std::size_t i = clocks_.size(); i-- > 0;) {
     IslandClock& clock = *clocks_[i];
     std::vector<int> rest;

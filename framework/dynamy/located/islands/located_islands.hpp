@@ -36,7 +36,7 @@ class LocatedIslands {
   /// Copies them into x, the end of a step.
   void join(const MechanicalSystem& s, State& x) const;
   /// After a step in time with contacts in slot 0 which ended at t: islands that touch time-stepped
-  /// ones join them.
+  /// ones join them, and if these are held up, those whose steps end at t.
   void touch(MechanicalSystem& s, double t, SteppedState& stepped);
   /// Fills the report of a step that ended at x, in which some systems were stepped in time, or
   /// none: then with all contacts. Keeps the clocks in `stepped`.

@@ -15,6 +15,7 @@ constexpr double kImplied = 1e-11, kIndependent = 1e-4;
 /// Of a row's terms: what an implied row may miss. Its own rounding is 1e-16 times the forces that
 /// cancel.
 constexpr double kMissed = 1e-11;
+constexpr double kOrthogonal = 3.0;  ///< time of an orthogonal decomposition over that of triangles
 constexpr int kRefined = 2;  ///< corrections, of a factor of 1e-16 over the square of kRegular each
 
 }  // namespace
@@ -196,6 +197,16 @@ Eigen::Index BlockPseudoInverse::rank() const {
     if (const Block& block = block_[static_cast<std::size_t>(k)]; block.counts)
       rank += block.rank();
   return rank;
+}
+
+double BlockPseudoInverse::cubes() const {
+  double sum = 0.0;
+  for (int k = 0; k < blocks_; ++k) {
+    const Block& block = block_[static_cast<std::size_t>(k)];
+    const auto n = static_cast<double>(block.rows.size());
+    sum += n * n * n * (block.by == Block::By::orthogonal ? kOrthogonal : 1.0);
+  }
+  return sum;
 }
 
 void BlockPseudoInverse::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <dynamy/located/phase/frozen_phase.hpp>
 #include <dynamy/stages/one_step.hpp>
+#include <utility>
 
 namespace dynamy {
 namespace {
@@ -148,6 +149,7 @@ void FrozenPhase::startDirections(const Evaluation& e) {
 }
 
 void FrozenPhase::finish(const Evaluation& e, const Eigen::VectorXd& u) {
+  cubes += std::exchange(forces_.cubes, 0.0);
   const Eigen::VectorXd& lambda = forces_.lambda();
   gammaDot_ = rows_.present().r;
   for (int row = 0; row < rows_.size(); ++row) gammaDot_[row] += rows_.along(row, forces_.a());

@@ -29,6 +29,7 @@ class FrozenPhase {
   std::vector<Held> held;
   /// What evaluations request. The keys are those of `held` only where the owner has updated them.
   PhaseRequest request;
+  double cubes = 0.0;  ///< as HeldForces::cubes; the owner resets it
 
   /// Reads the rows of the held contacts in the evaluation `e`, with the velocities u. False:
   /// fault() says why.

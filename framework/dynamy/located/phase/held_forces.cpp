@@ -161,6 +161,7 @@ void HeldForces::solve(const std::vector<Held>& held, const HeldRows& rows, cons
                      scale_.asDiagonal() * MInvWP_.transpose());
     redundant_ = product_.rank() < m;
     product_.solve(rhs_, pi_);
+    cubes += static_cast<double>(m * a_.size() * a_.size());
   } else {
     if (&constraint == &rows.present())
       decompose(rows);
@@ -168,6 +169,7 @@ void HeldForces::solve(const std::vector<Held>& held, const HeldRows& rows, cons
       decomposeElsewhere(rows, constraint);
     inverse_.solve(rhs_, pi_);
     redundant_ = inverse_.rank() < m;
+    cubes += inverse_.cubes();
   }
   pi_.array() *= scale_.array();
   for (Eigen::Index k = 0; k < m; ++k)

@@ -48,6 +48,8 @@ class HeldForces {
   const Eigen::VectorXd& a() const { return a_; }
   /// True: rows are redundant, so that λ is one of many solutions.
   bool redundant() const { return redundant_; }
+  /// Σ n³ over the blocks of n forces that have been decomposed, since it was set to 0.
+  double cubes = 0.0;
   /// Changes of λ, rows × any number, after which u̇ still keeps all rows that solve() has kept.
   Eigen::MatrixXd open() const;
   /// Notes in `held`, those of the last solve(), which rows follow from others (Held::implied).

@@ -21,6 +21,12 @@ struct TrialConstants {
   static constexpr double suspicious = 0.1;  ///< of the tolerance: above it the bias is checked
 };
 
+/// In evaluations of one velocity: an evaluation costs `each` besides those of its velocities, a
+/// decomposition of m rows m³/rowsCubed, a gap perGap (theory 50.7).
+struct WorkConstants {
+  static constexpr double each = 5.0, rowsCubed = 1000.0, perGap = 4.0;
+};
+
 /// Events (theory 50.4).
 struct EventConstants {
   /// Part of the step that decisions look ahead: at first, and at most after empty events.

@@ -29,17 +29,19 @@ Refusal LocatedMotion::advance(MechanicalSystem& s, InclusionSolver& solver, con
                                const Start& start, double dt, StepReport& report) {
   LocatedStep step{s, solver, report, parts_, from_, to_, record_, startHeld_, start.lastSwitched};
   bool done = false;
-  parts_.probe.looks = {};
+  parts_.forgetWork();
   Refusal refusal = enter(step, x, start);
   if (parts_.settings.givenSteps) parts_.pace.next = dt;
-  const long impacts = report.counts.impacts;
+  const long impacts = report.counts.impacts, before = s.evaluations();
   for (long tries = 0; !refusal && !done; ++tries) {
     if (s.limits.stop != nullptr && s.limits.stop->load(std::memory_order_relaxed))
       return {Refusal::Kind::fault, "the run is stopped within this step"};
     // Bodies between others that touch on both sides hit them in turn, and lose speed.
     const long hits = std::min<long>(report.counts.impacts - impacts, EventConstants::mostImpacts);
-    refusal = tries < TrialConstants::most + hits ? proceed(step, x.t + dt - from_.x.t, done)
-                                                  : step.stall();
+    const bool dear = parts_.work(s, s.evaluations() - before) > start.most &&
+                      (parts_.search.any() || parts_.probe.any());
+    const bool more = tries < TrialConstants::most + hits && !dear;
+    refusal = more ? proceed(step, x.t + dt - from_.x.t, done) : step.stall();
   }
   lastSwitched_ = step.lastSwitched;
   report.counts.effort.looks += parts_.probe.looks.whole;
@@ -59,7 +61,7 @@ Refusal LocatedMotion::enter(LocatedStep& step, const State& x, const Start& sta
     const bool light = &table == &dormandPrince8() && !parts_.settings.givenSteps;
     parts_.motion.prepare(s, table, light ? &dormandPrince5() : nullptr);
     parts_.probe.prepare(s, x);
-    parts_.probe.looks = {};  // a resumed run prepares once more
+    parts_.forgetWork();  // a resumed run prepares once more
     coming_.prepare(s.parts());
     parts_.event.prepare(parts_.norm);
     parts_.event.plain(!parts_.settings.events.looksAhead);
@@ -129,7 +131,7 @@ Refusal LocatedMotion::restore(LocatedStep& step, const State& x, const HeldStat
   motion.step.implicitStep().keep(s, motion.phase, x, held.jacobian);
   Refusal refusal = step.evaluate(from_);
   parts_.repeated = s.evaluations() - before;
-  parts_.probe.looks = {};
+  parts_.forgetWork();
   return refusal;
 }
 

@@ -13,6 +13,7 @@
 #include <dynamy/located/step/slip_ends.hpp>
 #include <dynamy/located/step/step_to_root.hpp>
 #include <dynamy/located/step/trial_step.hpp>
+#include <limits>
 
 namespace dynamy {
 
@@ -34,6 +35,8 @@ class LocatedMotion {
     bool scaled = false;              ///< scales() have been given
     bool goesOn = false;  ///< it begins where the last one ended (endsAt), in the same state
     ContactKey lastSwitched = kNoContact;
+    /// Work after which a step that is not done stalls, in evaluations of one velocity.
+    double most = std::numeric_limits<double>::infinity();
   };
   /// Advances from x by at most dt, to end(). After a refusal x is the state to continue from, in
   /// another way. Slot 0 has the contacts of the end.

@@ -39,6 +39,15 @@ double LocatedParts::flatHeight() const {
          norm.length();
 }
 
+double LocatedParts::work(const MechanicalSystem& s, long evaluations) const {
+  const FrozenPhase& phase = motion.phase;
+  const double n = static_cast<double>(s.slot(0).h.size()),
+               m = phase.held.empty() ? 0.0 : phase.rows().size();
+  return static_cast<double>(evaluations) * (WorkConstants::each + n + m) +
+         phase.cubes / WorkConstants::rowsCubed +
+         WorkConstants::perGap * static_cast<double>(probe.looks.gaps) + probe.looks.searched;
+}
+
 void LocatedStep::book(long StepEffort::*what) {
   report.counts.effort.*what += s.evaluations() - booked;
   booked = s.evaluations();

@@ -35,6 +35,10 @@ struct LocatedParts {
   double passingOverlap() const;
   /// A circle whose lowest point is less than this below its middle lies flat [m].
   double flatHeight() const;
+  /// Work of the present step of s so far, with `evaluations` of them, in evaluations of one velocity;
+  /// as fitted to the times of random scenes (theory 50.7).
+  double work(const MechanicalSystem& s, long evaluations) const;
+  void forgetWork() { probe.looks = {}, motion.phase.cubes = 0.0; }
 };
 
 /// The step that is taken at present. Moves from `from` to `to`.

@@ -26,10 +26,11 @@ class ContactProbe {
   /// Evaluates gap, presence and γ of contact i of the last look() at θ of the path; all others
   /// stay. Of x, only what the contact depends on is set, if its element can tell.
   bool lookAt(const QuinticPath& path, double theta, State& x, int i);
-  /// Numbers of looks at all contacts that are followed, of gaps evaluated, and of pairs searched for
-  /// them; the caller resets them.
+  /// Numbers of looks at all contacts that are followed and of gaps evaluated, and the work of those
+  /// that took a search, in evaluations of one velocity; the caller resets them.
   struct Looks {
-    long whole = 0, gaps = 0, searched = 0;
+    long whole = 0, gaps = 0;
+    double searched = 0.0;
   };
   Looks looks;
   /// All contacts, as of the last look().

@@ -19,8 +19,8 @@ class SingleContact {
   /// was asked for is not reported, or has other rows.
   bool giveTo(ContactGaps& gaps, int i, const Eigen::VectorXd& u);
 
-  /// Pairs that the last look has searched.
-  long searched() const { return found_.contacts.features.searched; }
+  /// Work of the searches of the last look, in evaluations of one velocity.
+  double searched() const { return found_.contacts.features.searched; }
 
  private:
   const SystemParts* parts_ = nullptr;

@@ -132,6 +132,7 @@ MechanicalSystem Model::mechanicalSystem(const SystemSubset* some) {
   // Projections may need one slot more than the scheme.
   MechanicalSystem system(parts, std::max(2, scheme().evaluations()));
   system.gTol(simulation.gTol >= 0.0 ? simulation.gTol : 1e-12 * length());
+  system.limits.length = length();
   return system;
 }
 

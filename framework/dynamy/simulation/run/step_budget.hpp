@@ -16,7 +16,7 @@ namespace dynamy {
 
 class StepBudget {
  public:
-  static constexpr double kWork = 50000.0;  ///< B
+  static constexpr double kWork = 100000.0;  ///< B
   /// Work of the equal parts of a step that is too long for the motion, if nothing else is done.
   static constexpr double kEqual = 40000.0;
   explicit StepBudget(int nu) : unit_(std::max(kWork, kOfVelocity * nu)) {}

@@ -27,9 +27,9 @@ enum class Corrected {
 
 /// Work of solvers.
 struct SolverWork {
-  /// Cost of an iteration of Newton over one of sweeps, with its factorisation: 3 … 5 in jointed
+  /// Cost of an iteration of Newton over one of sweeps, with its factorisation: 4 … 15 in jointed
   /// random scenes.
-  static constexpr long kNewton = 4;
+  static constexpr long kNewton = 8;
   long visits = 0;  ///< contacts times iterations, those of Newton kNewton times
 };
 

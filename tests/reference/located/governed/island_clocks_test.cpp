@@ -236,5 +236,35 @@ TEST(IslandClocks, KeepTheirDigitsAndImpactsBesideTimeSteppedIslands) {
   }
 }
 
+/// A tower of eight boxes that is laid in a slant, so that its switches are dense, if there is one; and
+/// a box far above that spins by 3000 rad/s.
+std::string spinningBoxBeside(bool tower) {
+  return std::string(R"xml(<dynamy version="1"><systems>
+    <Ground name="world"><HalfSpace normal="0 0 1" material="a"/></Ground>)xml") +
+         (tower ? R"xml(<replicate count="8"><RigidBody name="b" velocity="0 0 -1"
+      position="{0.05*i} {0.02*i*i} {0.11+0.201*i}"><Box size="0.4 0.3 0.2" mass="1" material="a"/>
+    </RigidBody></replicate>)xml"
+                : "") +
+         R"xml(<RigidBody name="fast" position="5 0 50" angularVelocity="3000 150 400">
+      <Box size="0.1 0.2 0.3" mass="1"/></RigidBody></systems>
+    <forces><Gravity/></forces>
+    <elements><Contact between="a a"><UnilateralCoulomb mu="0.5" epsilonN="0.2"/></Contact></elements>
+    <simulation until="1" tolerance="1e-3"/></dynamy>)xml";
+}
+
+TEST(IslandClocks, OfFastIslandsDoNotHoldUpDearOnesForLong) {
+  // Steps in time of the tower end with steps of the box that spins, each of which costs much less.
+  // Without patience for that, the box is stepped in time, too: it takes less than half of the located
+  // steps that it takes alone.
+  const auto smooth = [](bool tower) {
+    LocatedRun run(spinningBoxBeside(tower), 1e-3, 1.0, {}, {},
+                   std::make_unique<LocatedDormandPrince>(Parameters::of<LocatedDormandPrince>(
+                       "LocatedDormandPrince", "", {{"patience", "0.1"}})));
+    EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+    return run.report().cost.effort.smooth;
+  };
+  EXPECT_LT(smooth(true), smooth(false) / 2);
+}
+
 }  // namespace
 }  // namespace dynamy::reference

@@ -158,9 +158,9 @@ TEST(SwitchGovernor, StepsInTimeAreFewWhereTheEndIsKnown) {
 }
 
 TEST(RunPatience, GrantsWorkAlongTheTimeOfARun) {
-  // Of 2e7 half at any time, the rest in proportion to time; 1e5 of each velocity in large models.
+  // Of 1.5e7 half at any time, the rest in proportion to time; 1e5 of each velocity in large models.
   RunPatience patience;
-  patience.spend(1.5e7);
+  patience.spend(1.1e7);
   EXPECT_TRUE(patience.allowance(1.0, 10.0, 0.4, 1.0).over);
   EXPECT_FALSE(patience.allowance(1.0, 10.0, 0.6, 1.0).over);
   EXPECT_FALSE(patience.allowance(2.0, 10.0, 0.0, 1.0).over);
@@ -171,7 +171,7 @@ TEST(RunPatience, GrantsWorkAlongTheTimeOfARun) {
 }
 
 TEST(RunPatience, TurnsIslandsThatSpendMoreThanTheirShare) {
-  // Over the allowance of 2e7 in 1 s, an island that would spend 4e6 in 1 s goes on, one of 6e6 turns:
+  // Over an allowance of 2e7 in 1 s, an island that would spend 4e6 in 1 s goes on, one of 6e6 turns:
   // a quarter is its share.
   for (const double rate : {4e6, 6e6}) {
     WorkPace pace;
@@ -198,7 +198,7 @@ std::string stiffPendulums() {
 
 TEST(RunPatience, EndsARunThatWouldGoOnForLong) {
   // ω = 1e5 1/s for 20 s: two million radians of six springs at some 1000 evaluations each. The work
-  // granted is 2e7 evaluations of a velocity, of which an evaluation of a bob costs seven, and what
+  // granted is 1.5e7 evaluations of a velocity, of which an evaluation of a bob costs seven, and what
   // steps in time need.
   LocatedRun run(stiffPendulums(), 1e-6, 20.0);
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
@@ -207,6 +207,22 @@ TEST(RunPatience, EndsARunThatWouldGoOnForLong) {
   ASSERT_FALSE(run.report().warnings.empty());
   EXPECT_NE(run.report().warnings.back().text.find("patience"), std::string::npos)
       << run.report().warnings.back().text;
+}
+
+TEST(RunPatience, IsNotSpentOnOneStep) {
+  // Of a work of 1.5e7 · 1e-6 one step may spend an eighth, 1.9: none that does not end with its first
+  // trial ends at all, and stalls. Steps in time take the run to its end.
+  const auto impatient = [] {
+    return std::make_unique<LocatedDormandPrince>(
+        Parameters::of<LocatedDormandPrince>("LocatedDormandPrince", "", {{"patience", "1e-6"}}));
+  };
+  LocatedRun dice("dice", 1e-5, 0.5, {}, {}, impatient());
+  ASSERT_EQ(dice.run().ended, RunReport::Ended::finished) << dice.report().reason;
+  EXPECT_GT(dice.report().stepping.stalls, 0);
+  // Without contacts nothing else would follow the motion of a step that stalls: none does.
+  LocatedRun smooth(stiffPendulums(), 1e-6, 0.01, {}, {}, impatient());
+  ASSERT_EQ(smooth.run().ended, RunReport::Ended::finished) << smooth.report().reason;
+  EXPECT_EQ(smooth.report().stepping.stalls, 0);
 }
 
 TEST(SwitchGovernor, TurnsWhereWindowsCoverHardlyAnyTime) {

@@ -45,6 +45,21 @@ TEST(PairTable, HasNoKernelForShapesThatWouldPassThroughEachOther) {
   EXPECT_EQ(table.find(line, line, space), nullptr);
 }
 
+TEST(PairTable, KnowsWhichGapsCostMost) {
+  // Two boxes take 0.3 µs, a rim on a capsule 9 and two rims 25 (bench_gaps): budgets of work count
+  // them as such.
+  PairTable table;
+  addStandardPairs(table);
+  const auto work = [&](Kind a, Kind b) {
+    const TouchingShape A = shape(a), B = shape(b);
+    return table.find(A, B, space)->work(A, B);
+  };
+  EXPECT_EQ(work(Kind::box, Kind::box), kGapWork);
+  EXPECT_GT(work(Kind::cylinder, Kind::capsule), 5.0 * kGapWork);
+  EXPECT_GT(work(Kind::cylinder, Kind::cylinder), 2.0 * work(Kind::cylinder, Kind::capsule));
+  EXPECT_GT(work(Kind::smooth, Kind::smooth), kDearWork);
+}
+
 TEST(PairTable, KnowsThatHalfSpacesAndPointsNeverTouch) {
   EXPECT_TRUE(PairTable::neverTouch(shape(Kind::halfSpace), shape(Kind::halfSpace)));
   EXPECT_TRUE(PairTable::neverTouch(shape(Kind::ball, 0.0), shape(Kind::ball, 0.0)));
