@@ -10,8 +10,9 @@ namespace {
 
 /// Of the run: T of steps in time where it has no patience left.
 constexpr double kOfRun = 0.1;
-/// A step that diverges is taken a quarter as long, down to a part of the least step.
-constexpr double kQuarter = 0.25, kLeastSense = 1e-3;
+/// A step that diverges is taken a quarter as long, down to a part of the least step, a larger one
+/// and where solvers are to make little effort; after it the next one is tried so much longer.
+constexpr double kQuarter = 0.25, kLeastSense = 1e-3, kLittleSense = 0.05, kLongerAgain = 2.0;
 /// Velocities and rows of a usual evaluation, and its work; one of a larger model is worth more.
 constexpr double kUsualRows = 80, kUsualEvaluation = 100 * kUsualRows;
 constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to the step
@@ -185,7 +186,10 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
   clocks_.stand(s, solver, governed_, steppedFrom_, stepped);
   steps_.prepare(s, steppedFrom_, std::min(governor.h(), dt));
   out.again = s.evaluations() - before;
-  double most = dt;
+  double most = stepped.burst > 0.0 ? std::min(dt, kLongerAgain * stepped.burst) : dt;
+  const bool little = governor.effort(Effort::full) == Effort::little;
+  const double sense = (little ? kLittleSense : kLeastSense) * governor.least();
+  stepped.burst = 0.0;
   for (;; ++out.rejected) {
     if (const Refusal r = clocks_.follow(s, solver, steppedFrom_, steppedFrom_.t + dt, stepped,
                                          governed_.state().patience)) {
@@ -209,9 +213,10 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
       governor.shorten(h, std::max(trial.error, 1.0));
       continue;
     }
-    if (!trial.bursts || h < kLeastSense * governor.least()) break;
+    if (!trial.bursts || h < sense) break;
     most = kQuarter * h;
   }
+  if (most < std::min(governor.h(), dt)) stepped.burst = out.h;
   return out;
 }
 
@@ -265,7 +270,8 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   const double worth = evaluated * larger + (s.limits.visits() - visited) / kUsualRows * longer;
   RunPatience& patience = governed_.state().patience;
   const double part = taken.h / std::min(governor.h(), dt),
-               lost = part < kHeldUp ? kUsualRows * worth * (1.0 - part) : 0.0;
+               lost =
+                   part < kHeldUp && stepped.burst == 0.0 ? kUsualRows * worth * (1.0 - part) : 0.0;
   stepped.heldUp = stepped.held.tooDear(taken.h, lost, allowance(s, x.t));
   governor.stepped(x.t, taken.h, taken.error, work, taken.rejected > 0, worth, s.limits.end);
   patience.spend(kUsualRows * worth);

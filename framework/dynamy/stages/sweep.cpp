@@ -6,6 +6,8 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostPieces = 4096;
+/// Work of the places at one end of a piece, in evaluations of all velocities.
+constexpr double kPlaces = 0.5;
 /// Slot 0 holds velocities of the beginning or of the end of the step, depending on the scheme.
 /// Velocities at one end that are larger than at the other by this factor are examined separately …
 constexpr double kFactor = 2.0;
@@ -82,6 +84,7 @@ Passing Sweep::straight(const MechanicalSystem& s, const State& a, double dt, in
 
 Passing Sweep::search(const MechanicalSystem& s) {
   ++paths_;
+  work_ += kPlaces * path_.pieces() * s.parts().topology->nu();
   Passing first;
   for (std::size_t i = 0; i < s.parts().contacts.size(); ++i) {
     const Passing p = s.parts().contacts[i]->firstPassing(path_, static_cast<int>(i));

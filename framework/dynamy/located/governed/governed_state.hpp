@@ -38,9 +38,11 @@ struct SteppedState {
   Eigen::VectorXd scheme;          ///< of the time-stepping scheme
   WorkPace held;        ///< work of steps in time that end early, with a step of a located island
   bool heldUp = false;  ///< that work is too much
+  double burst =
+      0.0;  ///< length of the last step if longer ones diverged [s]; 0: it was no such step
   void archive(NumberArchive& a) {
     a(systems), a(rate), a(overlap), a(projected), a(time), a(searches), a(clocks), a(scheme);
-    a(held), a(heldUp);
+    a(held), a(heldUp), a(burst);
   }
 };
 

@@ -35,8 +35,20 @@ double EnergyGain::takeBack(const MechanicalSystem& system, const StepReport& re
   if (report.resting || (report.solved.ok() && system.implicitForces().damped() == 0)) return 0.0;
   const Rise r = rise(system, before, after, report.dt);
   if (!(r.share() > kTakenBack)) return 0.0;
-  const double taken = std::min(r.energy, r.kineticEnd);
-  after.u *= std::sqrt((r.kineticEnd - taken) / r.kineticEnd);
+  // Islands with clocks of their own have not taken this step.
+  at_.q = after.q, at_.u = after.u, at_.memory = after.memory, at_.t = after.t;
+  const Topology& topology = *system.parts().topology;
+  const auto each = [&](bool apart, Eigen::VectorXd& u, double factor) {
+    for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+      const SystemHandle& h = topology.system(static_cast<int>(i));
+      const bool own = i < report.apart.size() && report.apart[i] != 0;
+      if (own == apart) u.segment(h.u0, h.nu) *= factor;
+    }
+  };
+  each(true, at_.u, 0.0);
+  const double kinetic = meter_.kinetic(at_), taken = std::min(r.energy, kinetic);
+  if (!(taken > 0.0)) return 0.0;
+  each(false, after.u, std::sqrt((kinetic - taken) / kinetic));
   return taken;
 }
 

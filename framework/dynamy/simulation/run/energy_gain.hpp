@@ -17,7 +17,8 @@ class EnergyGain {
   explicit EnergyGain(const Model& model) : meter_(model) {}
   Rise rise(const MechanicalSystem& system, const State& before, const State& after, double dt);
   /// Reduces the velocities after an accepted step that gained energy although it is not solved, or damps
-  /// forces: such gains feed on themselves. Returns the energy taken [J].
+  /// forces: such gains feed on themselves. Those of islands that have not taken the step stay. Returns the
+  /// energy taken [J].
   double takeBack(const MechanicalSystem& system, const StepReport& report, const State& before,
                   State& after);
 

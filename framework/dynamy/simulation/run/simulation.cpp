@@ -229,7 +229,8 @@ bool Simulation::accept() {
   if (const RestChange woken = sleep_.woken(); !woken.systems.empty())
     observers_.woke(step_.before().t, woken);
   observers_.step(view(true));
-  if (!model_.scheme().choosesSteps() && model_.schemeIsDefault())
+  const bool fixed = !model_.scheme().choosesSteps() && model_.schemeIsDefault();
+  if (fixed || step_.report().counts.stepped)
     observers_.slow(system_, step_.report(), step_.before(), step_.change());
   sleep_.settle(system_, step_.change(), step_.report().dt, report_.cost.sleep);
   if (!sleep_.slept().systems.empty()) observers_.slept(view(true), sleep_.slept());
