@@ -261,13 +261,11 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   governor.told();
   const auto evaluated = static_cast<double>(evaluations);
   const double work = governed_.steppedWork(s, evaluated, taken.newton);
-  // A visit of a contact by solvers costs as much as one velocity of an evaluation (section 37.7),
-  // and more among many rows.
   const ContactSet& contacts = s.slot(0).contacts;
   const double larger = std::max(1.0, governed_.steppedWork(s, 1.0, 0.0) / kUsualEvaluation) +
-                        contacts.features.searched / kUsualRows,
-               longer = std::max(1.0, contacts.rows() / kUsualRows);
-  const double worth = evaluated * larger + (s.limits.visits() - visited) / kUsualRows * longer;
+                        contacts.features.searched / kUsualRows;
+  const double solving = RunPatience::ofVisits(s.limits.visits() - visited, contacts.rows());
+  const double worth = evaluated * larger + solving / kUsualRows;
   RunPatience& patience = governed_.state().patience;
   const double part = taken.h / std::min(governor.h(), dt),
                lost =

@@ -20,6 +20,10 @@ class LocatedRun final : public RecordSink {
  public:
   /// The scheme of a model with a tolerance that names none.
   static std::unique_ptr<OneStep> byDefault() { return withClocks("islands"); }
+  static std::unique_ptr<OneStep> withPatience(const std::string& factor) {
+    return std::make_unique<LocatedDormandPrince>(
+        Parameters::of<LocatedDormandPrince>("LocatedDormandPrince", "", {{"patience", factor}}));
+  }
   static std::unique_ptr<OneStep> withClocks(const std::string& clocks) {
     return std::make_unique<LocatedDormandPrince>(
         Parameters::of<LocatedDormandPrince>("LocatedDormandPrince", "", {{"clocks", clocks}}));

@@ -205,6 +205,16 @@ TEST(EnergyGain, IsTakenFromVelocitiesAfterAStepThatIsNotSolved) {
   EXPECT_EQ(solved.after.u, Eigen::Vector3d(6.0, 8.0, 0.0));
 }
 
+TEST(EnergyGain, IsGivenBackByTheSystemsThatTookTheStep) {
+  // The coordinate moves by 2 m/s, T = 2 J, on a clock of its own: the mass alone gives 75 J back.
+  Gained beside({6.0, 8.0, 2.0});
+  beside.before.u[2] = 2.0;
+  const std::vector<char> apart{0, 1};
+  beside.report.apart = apart;
+  EXPECT_NEAR(beside.taken(SolveStatus::stalled), 75.0, 1e-12);
+  EXPECT_NEAR((beside.after.u - beside.before.u).norm(), 0.0, 1e-12);
+}
+
 TEST(EnergyGain, IsNoneWhereThePotentialChangesWithTime) {
   // V rises from 0 to 50 sin² 0.1 = 0.498 J, 2 % of T, and no body gains.
   Gained still({3.0, 4.0, 0.0});

@@ -33,8 +33,8 @@ enum class Following : std::uint8_t {
   pairwise   ///< pairs of features, which come and go one by one (feature_pairs.hpp)
 };
 
-/// Work of a gap in evaluations of one velocity, 0.1 to 0.35 µs: in closed form, and where it takes a search
-/// for its normal.
+/// Work of a gap in closed form, and of one that takes a search for its normal, in evaluations of one
+/// velocity, each 0.1 to 0.35 µs (theory 37.7).
 inline constexpr double kGapWork = 3.0, kSearchWork = 50.0;
 /// Pairs that take more work than this are searches: bodies are first seen to be apart.
 inline constexpr double kDearWork = 10.0;

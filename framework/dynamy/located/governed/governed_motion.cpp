@@ -7,7 +7,6 @@ namespace {
 constexpr int kDense = 64;  ///< problems with more rows are solved by sparse methods
 /// Floating-point operations of an evaluation of M, h and contacts, per velocity or row.
 constexpr double kPerRow = 100.0;
-constexpr double kFewRows = 80.0;
 constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
 /// Of what a run may spend: a step that is not done by then stalls.
 constexpr double kOneStep = 0.125;
@@ -49,9 +48,8 @@ Refusal GovernedMotion::locate(MechanicalSystem& s, InclusionSolver& solver, Sta
   governor.scales(norm.tolerance(), norm.time());
   if (anew) work_.begin(s.parts(), norm.times().size());
   stored_.resize(0);
-  // A visit of a contact by solvers costs as much as one velocity, and more among many rows.
   spent_ = motion_.parts().work(s, s.evaluations() - before - motion_.parts().repeated) +
-           (s.limits.visits() - visited) * std::max(1.0, s.slot(0).contacts.rows() / kFewRows);
+           RunPatience::ofVisits(s.limits.visits() - visited, s.slot(0).contacts.rows());
   state_.patience.spend(spent_);
   if (refusal) {
     if (refusal.passable) governor.turn(x.t, TurnedBy::stall, motion_.lastSwitched());

@@ -7,6 +7,7 @@
 /// and not timed, so that a run repeats bit for bit. A run without an end, stepped by hand, has no
 /// such bound.
 #pragma once
+#include <algorithm>
 #include <dynamy/core/number_archive.hpp>
 #include <limits>
 
@@ -23,10 +24,16 @@ class RunPatience {
  public:
   /// end: of the run [s]; velocities: of the whole model.
   WorkAllowance allowance(double patience, double velocities, double t, double end) const;
+  /// Work of so many visits of contacts by solvers, in problems of `rows` rows: a visit costs as much as
+  /// one velocity (theory 37.7), and more among many rows.
+  static double ofVisits(double visits, int rows) {
+    return visits * std::max(1.0, rows / kFewRows);
+  }
   void spend(double work) { spent_ += work; }
   void archive(NumberArchive& a) { a(spent_); }
 
  private:
+  static constexpr double kFewRows = 80.0;
   double spent_ = 0.0;  // evaluations of one velocity, since the run began
 };
 

@@ -1,5 +1,5 @@
 /// StepBudget: the work that a step of given length may take, with all its tries, halves and parts
-/// (theory 37.7). Work is counted, in evaluations of one velocity of about 0.35 µs, and not timed.
+/// (theory 37.7). Work is counted, in evaluations of one velocity of 0.1 to 0.35 µs, and not timed.
 ///
 ///   spent > B + saved   and   spent > 3 · (work of the step's first try)     the budget is exhausted
 ///

@@ -257,9 +257,7 @@ TEST(IslandClocks, OfFastIslandsDoNotHoldUpDearOnesForLong) {
   // Without patience for that, the box is stepped in time, too: it takes less than half of the located
   // steps that it takes alone.
   const auto smooth = [](bool tower) {
-    LocatedRun run(spinningBoxBeside(tower), 1e-3, 1.0, {}, {},
-                   std::make_unique<LocatedDormandPrince>(Parameters::of<LocatedDormandPrince>(
-                       "LocatedDormandPrince", "", {{"patience", "0.1"}})));
+    LocatedRun run(spinningBoxBeside(tower), 1e-3, 1.0, {}, {}, LocatedRun::withPatience("0.1"));
     EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
     return run.report().cost.effort.smooth;
   };

@@ -246,7 +246,7 @@ TEST(FixedSteps, ThatAreTooLongForTheMotionHaveEqualParts) {
 TEST(FixedSteps, ThatAreAlwaysPassedStayWithinTheirBudget) {
   Counted s;
   s.passes = true;
-  s.workOfOne = 4000.0;
+  s.workOfOne = 0.04 * StepBudget::kWork;
   FixedStep loop(1.0, NonConvergence::retry, 6);
   loop.next(s, 1000.0);
   EXPECT_GT(s.cheap, 0);
