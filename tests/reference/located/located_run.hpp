@@ -80,6 +80,13 @@ class LocatedRun final : public RecordSink {
     return out;
   }
   const State& state() const { return simulation_->state(); }
+  /// Value of the signal `name` at the present state, of one that q and u of its system determine.
+  double signal(const std::string& name) const {
+    const NamedSignal* s = model_->signal(name);
+    const SystemHandle& h = model_->topology().system(s->system);
+    const State& x = state();
+    return s->signal.value({.t = x.t, .q = slice(x.q, h.q0, h.nq), .u = slice(x.u, h.u0, h.nu)});
+  }
   const RunReport& report() const { return simulation_->report(); }
   Simulation& simulation() { return *simulation_; }
   Model& model() { return *model_; }

@@ -294,6 +294,39 @@ TEST(LocatedRest, ABoxOnFourCornersStaysForOneEvaluationAndAFew) {
   EXPECT_LT(r.cost.evaluations, 400);
 }
 
+TEST(LocatedSwitching, RotorsThatNothingTurnsStickWhereTheyMeet) {
+  // A clutch of 5 N m between rotors A and B in bearings: the slip ends at w A B/((A + B) 5), with
+  // the velocity of their momentum. From there on nothing asks for a moment: what the rows ask is
+  // rounding, which was taken for slip, of its sign; runs stalled, or one rotor went on past the other.
+  for (const char* coordinates : {"absolute", "minimal"})
+    for (const double A : {1.0, 2.0, 2.3, 0.017})
+      for (const double B : {1.0, 1.1, 30.0})
+        for (const double w : {10.0, -9.7}) {
+          const double slip = std::abs(w) * A * B / ((A + B) * 5.0), together = w * A / (A + B);
+          LocatedRun run(
+              "<dynamy version=\"1\"><parameter name=\"A\" value=\"1\"/>"
+              "<parameter name=\"B\" value=\"1\"/><parameter name=\"w\" value=\"1\"/>"
+              "<systems><Ground name=\"world\"/>"
+              "<PlanarBody name=\"a\" mass=\"1\" inertia=\"{A}\" angularVelocity=\"{w}\"/>"
+              "<PlanarBody name=\"b\" mass=\"1\" inertia=\"{B}\"/></systems><elements>"
+              "<Revolute between=\"world a\"/><Revolute between=\"world b\"/>"
+              "<JointFriction name=\"clutch\" between=\"a b\"><GivenFriction force=\"5\"/>"
+              "</JointFriction></elements><simulation until=\"1\" tolerance=\"1e-9\" "
+              "coordinates=\"" +
+                  std::string(coordinates) + "\"/></dynamy>",
+              1e-9, 1.5 * slip,
+              {{"A", std::to_string(A)}, {"B", std::to_string(B)}, {"w", std::to_string(w)}});
+          ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+          EXPECT_EQ(run.report().stepping.periods, 0) << coordinates << ' ' << A << ' ' << B;
+          const std::vector<double> sticks = run.changes("clutch", Status::stick);
+          ASSERT_EQ(sticks.size(), 1U);
+          // Constant moments: what remains is rounding, of some steps.
+          EXPECT_NEAR(sticks[0], slip, 1e-12 * slip);
+          EXPECT_NEAR(run.signal("a.omega"), together, 1e-12 * std::abs(w));
+          EXPECT_NEAR(run.signal("b.omega"), together, 1e-12 * std::abs(w));
+        }
+}
+
 // ---- the run -----------------------------------------------------------------------------------
 
 TEST(LocatedRunning, GoesOnFromACheckpointBitForBit) {

@@ -170,7 +170,11 @@ Held StatusDecision::status(const InclusionProblem& p, ConstVec Lambda, const Bl
   if (b.slipRows == 0) return h;
   ForceSet set;
   const bool idle = forceSet(law, p.input(b.contact), set, b.first) && set.idle();
-  h.slips = b.slips || idle || speedOf(p, b, xi_) > kDecided * p.uRef;
+  // Where nothing but rounding asks for a rate of slip, solvers leave that much of it.
+  double rounding = 0.0;
+  for (int k = b.slip; k < b.slip + b.slipRows && !p.cNoise.empty(); ++k)
+    rounding = std::max(rounding, p.cNoise[static_cast<std::size_t>(k)]);
+  h.slips = b.slips || idle || speedOf(p, b, xi_) > kDecided * p.uRef + rounding;
   if (!h.slips) return h;
   const Eigen::VectorXd& slip = b.slips ? gammaBefore_ : xi_;
   h.sign = slip[b.slip] < 0.0 ? -1.0 : 1.0;
