@@ -28,6 +28,8 @@ class BandedLu {
   /// X ← A⁻¹ X in rows first ≤ i < last, which are whole parts; X: n × columns, stored row by row.
   void solve(double* X, int first, int last, int columns) const;
   int size() const { return n_; }
+  /// Multiplications of all calls of factor() and solve().
+  double multiplications() const { return multiplications_; }
 
  private:
   template <int N>
@@ -39,6 +41,7 @@ class BandedLu {
   std::vector<int> pivot_;
   std::vector<int> last_;   // per row: column of its last entry that may differ from zero
   std::vector<int> below_;  // per column of L: number of entries up to the last nonzero one
+  mutable double multiplications_ = 0.0;
 };
 
 }  // namespace dynamy

@@ -49,6 +49,7 @@ bool BandedLu::factor() {
       lastI = std::max(lastI, end);
       for (int j = 1; j <= end - k; ++j) row[j] -= factor * pivotRow[j];
     }
+    multiplications_ += static_cast<double>(below_[column]) * (end - k);
   }
   return true;
 }
@@ -68,6 +69,7 @@ void BandedLu::solve(double* X, int first, int last, int columns) const {
 template <int N>
 void BandedLu::solveColumns(double* X, int first, int last, int columns) const {
   const int n = N > 0 ? N : columns;
+  long entries = 0;
   for (int k = first; k < last; ++k) {
     const auto column = static_cast<std::size_t>(k);
     double* const xk = X + column * static_cast<std::size_t>(n);
@@ -75,6 +77,7 @@ void BandedLu::solveColumns(double* X, int first, int last, int columns) const {
       std::swap_ranges(xk, xk + n, X + static_cast<std::ptrdiff_t>(pivot_[column]) * n);
     const double* l = l_.data() + column * static_cast<std::size_t>(b_);
     double* xi = xk + n;
+    entries += below_[column];
     for (int i = 0; i < below_[column]; ++i, xi += n)
       for (int c = 0; c < n; ++c) xi[c] -= l[i] * xk[c];
   }
@@ -83,11 +86,13 @@ void BandedLu::solveColumns(double* X, int first, int last, int columns) const {
                       static_cast<std::size_t>(b_);
     double* const xk = X + static_cast<std::ptrdiff_t>(k) * n;
     const int right = last_[static_cast<std::size_t>(k)] - k;
+    entries += right;
     const double* xj = xk + n;
     for (int j = 1; j <= right; ++j, xj += n)
       for (int c = 0; c < n; ++c) xk[c] -= u[j] * xj[c];
     for (int c = 0; c < n; ++c) xk[c] /= u[0];
   }
+  multiplications_ += static_cast<double>(entries * n);
 }
 
 }  // namespace dynamy

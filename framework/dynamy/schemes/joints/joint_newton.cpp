@@ -11,11 +11,14 @@ constexpr double kTangentDifference = 1e-7;
 /// Share of a joint's own stiffness on the diagonal of its rows. It makes K regular with redundant
 /// joints; Newton's residual does not contain it.
 constexpr double kRegular = 1e-10;
+/// Multiplications in the time of a visit of a contact by a solver (theory 37.7).
+constexpr double kOfVisit = 150.0;
 
 }  // namespace
 
 bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
                             Tangent wanted) {
+  counted_ = s.limits.work;
   K_.reset(unknowns(), walk().band(), walk().ends());
   addJointColumns(s.slot(0));
   if (wanted == Tangent::closedForm && offered_) {
@@ -30,7 +33,17 @@ bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactI
     differences(s, contactImpulse);
     if (fault_.empty()) fault_ = rowWithoutPosition(s);
   }
-  return fault_.empty() && K_.factor();
+  const bool regular = fault_.empty() && K_.factor();
+  charge();
+  return regular;
+}
+
+/// Counts what K did since the last call as visits of contacts. Called after each use of it, so that
+/// a resumed run counts the same.
+void JointNewton::charge() const {
+  const double done = std::ceil((K_.multiplications() - charged_) / kOfVisit);
+  charged_ = K_.multiplications();
+  if (counted_ != nullptr) counted_->visits += static_cast<long>(done);
 }
 
 /// Adds ∂R/∂Λ = −W̃ by unit impulses, joint after joint, since R is linear in Λ.
@@ -179,6 +192,7 @@ void JointNewton::newtonStep() {
     else
       for (int j = 0; j < graph.nu(n.index); ++j) work_[n.first + j] = -R.v[graph.u0(n.index) + j];
   K_.solve(work_.data());
+  charge();
   dv.setZero(equations.v.size());
   dLambda.assign(equations.Lambda.size(), 0.0);
   for (const MechanismWalk::Node& n : walk().nodes()) add(n, work_.data(), 1, 1.0);
@@ -202,6 +216,7 @@ void JointNewton::respond(const ContactSet& c, int i, ContactResponse& out) cons
   }
   for (const int p : out.parts)
     K_.solve(out.value.data(), walk().part(p).first, walk().part(p).last, rows);
+  charge();
 }
 
 void JointNewton::add(const ContactResponse& response, int r, double factor) {

@@ -43,7 +43,7 @@ class JointNewton {
   void respond(const ContactSet& c, int i, ContactResponse& response) const;
   int unknowns() const { return walk().unknowns(); }
   /// x ← K⁻¹ x, unknowns() numbers in the order of the walk.
-  void solve(double* x) const { K_.solve(x); }
+  void solve(double* x) const { K_.solve(x), charge(); }
   /// (dv, dΛ) += factor · (response to row r).
   void add(const ContactResponse& response, int r, double factor);
   /// wᵀ of row r of contact i times the velocities of the response to row `column`.
@@ -64,8 +64,11 @@ class JointNewton {
   void differences(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
   void addColumn(int block, int column, double perturbation);
   std::string rowWithoutPosition(const MechanicalSystem& s);
+  void charge() const;
 
   BandedLu K_;
+  SolverWork* counted_ = nullptr;  // borrowed
+  mutable double charged_ = 0.0;   // multiplications of K that have been counted there
   Tangent tangent_ = Tangent::differences;
   bool offered_ = true;  // until an element refuses the closed form
   JointTangent parts_;
