@@ -189,7 +189,7 @@ struct Alternative {
 std::optional<Alternative> otherCoordinates(const Model& model, const std::string& file,
                                             LoadOptions options, Program& program) {
   if (model.systems().size() > kMostInOthers) return {};
-  const bool minimal = model.simulation.coordinates == JointCoordinates::minimal;
+  const bool minimal = model.composed.coordinates > 0;
   options.coordinates = minimal ? JointCoordinates::absolute : JointCoordinates::minimal;
   options.build = false;
   try {
@@ -252,16 +252,6 @@ std::string needsText(const Model& model, const Sizes& s, const RunSizes& run) {
   return out;
 }
 
-/// Which systems may sleep, where the model asks for it.
-std::string sleepText(const Model& model) {
-  if (!(model.simulation.sleep > 0.0)) return {};
-  const RestRules rules(model);
-  if (!rules.any()) return fmt::format(" no body sleeps: {}\n", rules.reason());
-  return fmt::format(
-      " {} of {} systems may sleep, slower than {:g} m/s and at rest by their forces\n",
-      rules.resting(), rules.moving(), model.simulation.sleep);
-}
-
 std::string text(const Model& model, const Sizes& s, const RunSizes& run,
                  const std::optional<Alternative>& other) {
   const bool deep = s.overlap.share() > kDeepStart;
@@ -278,8 +268,7 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
                      model.scheme().type(), model.solver().type(), stepText(model),
                      model.simulation.until, model.length());
   out += needsText(model, s, run);
-  for (const std::string& line : model.composed) out += " " + line + "\n";
-  out += sleepText(model);
+  out += coordinatesText(model.composed) + reasonsText(model);
   out += lawsText(model.pairLaws()) + modelNotes(model);
   if (other)
     out += fmt::format(" in {} coordinates of the joints: q {}   u {}   unknowns {}\n",

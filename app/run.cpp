@@ -31,6 +31,8 @@ struct Texts {
 void addShow(CLI::App& command, Texts& t) {
   command.add_flag("--json", t.show.json, "print the content of run.json, nothing else");
   command.add_flag("--quiet", t.show.quiet, "print errors only");
+  command.add_flag("--explain", t.show.explain,
+                   "say why joints are coordinates or constraints, and which bodies may sleep");
   command
       .add_option("--dump-problems", t.show.dumpProblems,
                   "write the N inclusion problems with the most iterations, and all that were not "

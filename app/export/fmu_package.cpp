@@ -147,6 +147,8 @@ FmuResult fmuPackage(Program& program, const FmuTask& task) {
   LoadOptions options;
   for (const std::string& s : task.set) options.set.push_back(assignment(s));
   options.files = &read, options.parameters = &parameters;
+  for (const std::string& signal : task.signals)
+    if (!signal.ends_with('*')) options.signals.push_back(signal);
   Model model = loadModel(task.model, program.registry, program.plugins, options);
   { const Simulation check(model); }  // an FMU that cannot run is none
   FmuResult out;

@@ -46,6 +46,8 @@ void FmuInstance::load() {
   if (model_) return;
   LoadOptions options;
   options.set = set_, options.parameters = &parameters_;
+  for (const Variable& v : contents_.variables)
+    if (v.role == Role::output || v.role == Role::status) options.signals.push_back(v.source);
   run_.reset();
   model_ = std::make_unique<Model>(
       loadModel(resources_ / "model" / contents_.model, registry_, plugins_, options));

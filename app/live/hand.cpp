@@ -16,7 +16,7 @@ void Hand::declare(Attributes& a) {
 void Hand::connect(Topology& topology) {
   memory_ = topology.memory(*this, std::vector<double>(kNumbers, 0.0));
   // Most of the time the hand holds nothing: it must not make all systems one island.
-  topology.connecting(nullptr);
+  topology.noting().begin(nullptr);
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {
     const SystemHandle& system = topology.system(static_cast<int>(i));
     if (system.nu == 0) continue;

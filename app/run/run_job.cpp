@@ -149,19 +149,21 @@ Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* fi
   LoadOptions options;
   std::vector<fs::path> read;
   options.set = choice.set, options.files = files != nullptr ? files : &read;
+  options.prepare = [&](Model& model) {
+    if (choice.tolerance > 0.0) model.askTolerance(choice.tolerance);
+    if (choice.step > 0.0 && choice.tolerance > 0.0)
+      model.simulation.step = choice.step;  // the longest step
+    else if (choice.step > 0.0)
+      model.askStep(choice.step);
+    if (!choice.integrator.empty())
+      model.scheme(method<OneStep>(program.registry, choice.integrator));
+    if (!choice.solver.empty())
+      model.solver(method<InclusionSolver>(program.registry, choice.solver));
+  };
   Model model = loadModel(choice.model, program.registry, program.plugins, options);
   SimulationSettings& s = model.simulation;
   if (choice.until > 0.0) s.until = choice.until;
-  if (choice.tolerance > 0.0) model.askTolerance(choice.tolerance);
-  if (choice.step > 0.0 && choice.tolerance > 0.0)
-    s.step = choice.step;  // the longest step
-  else if (choice.step > 0.0)
-    model.askStep(choice.step);
   if (choice.every > 0.0) model.record.every = choice.every;
-  if (!choice.integrator.empty())
-    model.scheme(method<OneStep>(program.registry, choice.integrator));
-  if (!choice.solver.empty())
-    model.solver(method<InclusionSolver>(program.registry, choice.solver));
   // The default sample time depends on the end time; a resumed run keeps it.
   if (!(model.record.every > 0.0) && model.record.at.empty() && s.until > 0.0)
     model.record.every = s.until / 1000.0;
@@ -196,7 +198,7 @@ int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, con
         [&](const std::string& bytes) { saver.save(bytes, simulation.state().t, true); });
   const EndingSignals signals;
   simulation.stopWhen(signals.requested());
-  if (!silent) fmt::print("{}", headText(model, choice));
+  if (!silent) fmt::print("{}{}", headText(model, choice), show.explain ? reasonsText(model) : "");
   const RunReport& report = simulation.run();
   progress.end();
 

@@ -19,6 +19,7 @@ struct ErrorBars;
 /// Options of a run that do not change its numbers: output, checkpoints, threads.
 struct RunShow {
   bool json = false, quiet = false;
+  bool explain = false;  ///< print why joints are coordinates or constraints, and what may sleep
   bool checkpoints = true;
   double checkpointEvery = 10.0;  ///< least interval of checkpoints [s] of wall time
   double checkpointShare = 0.02;  ///< largest share of the wall time that they may take

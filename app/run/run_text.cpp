@@ -8,6 +8,7 @@
 #include <dynamy/core/version.hpp>
 #include <dynamy/io/run_files/run_facts.hpp>
 #include <dynamy/io/run_files/run_recording.hpp>
+#include <dynamy/simulation/run/rest_rules.hpp>
 
 #include "run/endings.hpp"
 #include "run/model_notes.hpp"
@@ -139,6 +140,27 @@ std::string stepText(const Model& model) {
          (s.step > 0.0 ? fmt::format("   steps up to {:g} s", s.step) : "");
 }
 
+std::string coordinatesText(const Composition& c) {
+  if (c.coordinates == 0) return {};
+  const std::string of = c.coordinates < c.joints ? fmt::format(" of {}", c.joints) : "";
+  return fmt::format(
+      " joints as coordinates: {}{}, with {} instead of {} and {} fewer to solve for\n",
+      c.coordinates, of, c.velocitiesAfter, counted(c.velocitiesBefore, "velocity", "velocities"),
+      counted(c.rowsSaved, "row"));
+}
+
+std::string reasonsText(const Model& model) {
+  std::string out;
+  for (const std::string& line : model.composed.notes) out += " " + line + "\n";
+  if (!(model.simulation.sleep > 0.0)) return out;
+  const RestRules rules(model);
+  if (!rules.any()) return out + fmt::format(" no body sleeps: {}\n", rules.reason());
+  return out +
+         fmt::format(
+             " {} of {} systems may sleep, slower than {:g} m/s and at rest by their forces\n",
+             rules.resting(), rules.moving(), model.simulation.sleep);
+}
+
 std::string headText(const Model& model, const RunChoice& choice) {
   const Topology& t = model.topology();
   std::string out =
@@ -148,7 +170,7 @@ std::string headText(const Model& model, const RunChoice& choice) {
                   counted(static_cast<long>(model.contacts().size()), "contact element"));
   out += fmt::format(" {}   {}   {}   to t = {:g} s\n", model.scheme().type(),
                      model.solver().type(), stepText(model), model.simulation.until);
-  return out + modelNotes(model);
+  return out + coordinatesText(model.composed) + modelNotes(model);
 }
 
 /// Warns if the scheme itself changes the energy by more than rounding and by more than 1 % of the

@@ -10,6 +10,10 @@ namespace dynamy::app {
 
 /// "step 0.001 s" or "tolerance 1e-06".
 std::string stepText(const Model& model);
+/// A line about joints that became coordinates; empty: none did.
+std::string coordinatesText(const Composition& c);
+/// Lines that say why joints are coordinates or constraints, and which bodies may sleep.
+std::string reasonsText(const Model& model);
 /// Two lines with model, sizes, scheme, solver, step and end time, then the notes on the model.
 std::string headText(const Model& model, const RunChoice& choice);
 

@@ -49,6 +49,16 @@ void FramePair::find(Topology& topology, const Element& asking) {
   B = topology.frame(b_, asking);
 }
 
+void FramePair::belong(Topology& topology, const Element& asking) const {
+  for (const std::string& name : {a_, b_}) {
+    std::vector<std::string> known;
+    if (const int system = topology.names().find(name, known).first; system >= 0)
+      topology.noting().note(system);
+    else
+      topology.frame(name, asking);  // throws, with the nearest name
+  }
+}
+
 void FramePair::connect(Topology& topology, const Element& asking) {
   find(topology, asking);
   const Blocks a = blocksOf(topology, A), b = blocksOf(topology, B);
@@ -56,11 +66,11 @@ void FramePair::connect(Topology& topology, const Element& asking) {
     const StartKinematics start(topology);
     return belongToOneBody(start.frame(A), start.frame(B));
   };
-  const auto& frames = topology.requestedFrames();
-  const auto system = [&](FrameHandle f) {
-    return frames[static_cast<std::size_t>(f.index)].first;
-  };
-  if (A.index == B.index || (system(A) == system(B) && one()))
+  // Bodies of a tree that are fixed to each other are still two bodies: nothing moves between them.
+  const auto [systemA, idA] = topology.requestedFrames()[static_cast<std::size_t>(A.index)];
+  const auto [systemB, idB] = topology.requestedFrames()[static_cast<std::size_t>(B.index)];
+  const bool sameNamed = topology.names().body(systemA, idA) == topology.names().body(systemB, idB);
+  if (A.index == B.index || (systemA == systemB && sameNamed && one()))
     throw ModelError(a_ == b_ ? "between names \"" + a_ + "\" twice"
                               : "\"" + a_ + "\" and \"" + b_ + "\" belong to one body",
                      "nothing can act between a body and itself; name two bodies, or a body and "

@@ -27,6 +27,8 @@ class FramePair {
   void connect(Topology& topology, const Element& asking);
   /// Finds A and B, which may be on one body or both stand still; planeNormal stays zero.
   void find(Topology& topology, const Element& asking);
+  /// For elements that do nothing of their own: notes the systems of A and B, finds no frames.
+  void belong(Topology& topology, const Element& asking) const;
 
   FrameHandle A, B;
   /// Normal of the plane in which both systems move; zero if one moves in space or the planes

@@ -120,10 +120,6 @@ TEST(KnownDefects, ARobotArmInMinimalCoordinatesPassesItsChecks) {
   knownDefect("robot_arm_minimal", [] { checksInMinimalCoordinates("robot_arm"); });
 }
 
-TEST(KnownDefects, TheWoodpeckerOfBodiesInMinimalCoordinatesPassesItsChecks) {
-  knownDefect("woodpecker_bodies_minimal", [] { checksInMinimalCoordinates("woodpecker_bodies"); });
-}
-
 TEST(KnownDefects, AChainInMinimalCoordinatesFallsOnAFloor) {
   BoundedRun chain("models/chain_on_floor.xml",
                    {.until = 0.6, .evaluations = 3'000, .coordinates = JointCoordinates::minimal});

@@ -61,7 +61,8 @@ void Joint::connect(Topology& topology) {
 
 void Joint::bind(Topology& topology) {
   // A joint that became a coordinate needs frames for friction and signals only.
-  if (ofTree_ && rows_.free.empty() && rows_.signals.empty()) return;
+  if (ofTree_ && rows_.free.empty() && rows_.signals.empty())
+    return frames_.belong(topology, *this);
   frames_.connect(topology, *this);
   const StartKinematics start(topology);
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);

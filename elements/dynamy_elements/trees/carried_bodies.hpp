@@ -64,6 +64,6 @@ class CarriedBodies final : public BodyCarrier {
 
 /// Adds columns of a frame for the velocities of a node on its way to the
 /// root: w and v + w × (r − r_K).
-void addColumns(const TreeNode& node, const NodeMotion& at, Frame& f);
+void addColumns(const Tree::Motions& x, const TreeNode& node, const NodeMotion& at, Frame& f);
 
 }  // namespace dynamy

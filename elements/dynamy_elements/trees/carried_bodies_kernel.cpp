@@ -59,7 +59,7 @@ void CarriedBodies::ownVelocities(int i, ConstVec q, ConstVec u, Block J, Vec bi
   new (&f.J_R_I) Mat3X(columns.data() + 3 * tree_.nu(), 3, tree_.nu());
   f.r_OS_I = node.r + rho;
   for (int k = body.node; k >= 0; k = tree_.node(k).parent)
-    addColumns(tree_.node(k), x[static_cast<std::size_t>(k)], f);
+    addColumns(x, tree_.node(k), x[static_cast<std::size_t>(k)], f);
   Eigen::VectorXd column(body.blocks.nu);
   for (int j = 0; j < tree_.nu(); ++j) {
     moved.v_S_I = f.J_S_I.col(j), moved.Omega_I = f.J_R_I.col(j);
@@ -92,7 +92,7 @@ double CarriedBodies::signal(const TreeBody& body, const SignalFunction& f,
             .element = v.element});
 }
 
-void addColumns(const TreeNode& node, const NodeMotion& at, Frame& f) {
+void addColumns(const Tree::Motions& x, const TreeNode& node, const NodeMotion& at, Frame& f) {
   const Vec3 arm = f.r_OS_I - at.r;
   double *S = f.J_S_I.data() + 3 * node.u0, *R = f.J_R_I.data() + 3 * node.u0;
   using Column = Eigen::Map<Vec3>;
@@ -108,8 +108,8 @@ void addColumns(const TreeNode& node, const NodeMotion& at, Frame& f) {
       break;
     case Free::ball:
       for (int i = 0; i < 3; ++i) {
-        Column{R + 3 * i} = at.A.col(i);
-        Column{S + 3 * i} = at.A.col(i).cross(arm);
+        const Vec3 axis = turnAxes(x, node).col(i);
+        Column{R + 3 * i} = axis, Column{S + 3 * i} = axis.cross(arm);
       }
       break;
   }

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/trees/compose_trees.hpp>
+#include <dynamy_elements/trees/tree_choice.hpp>
 #include <dynamy_elements/trees/tree_system.hpp>
 #include <numeric>
+#include <optional>
 
 namespace dynamy {
 namespace {
@@ -15,6 +17,12 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::string title(const Element& e) {
   return e.name().empty() ? "a " + e.type() : "\"" + e.name() + "\"";
+}
+
+/// Name and place of an element, for reports.
+std::string placed(const Element& e) {
+  const std::string where = e.place().line > 0 ? " (" + e.place().format() + ")" : "";
+  return (e.name().empty() ? e.type() : e.name()) + where;
 }
 
 struct Edge {
@@ -65,6 +73,7 @@ int carryLoose(TreeSystem& tree, TreeSystem::System system, const Vec3& n) {
 class Composer {
  public:
   explicit Composer(Model& model) : model_(model) {
+    if (model.simulation.coordinates == JointCoordinates::automatic) choice_.emplace(model);
     for (const auto& s : model.systems()) {
       const RigidSystem* rigid = s->abilities().rigid;
       rigid_.push_back(rigid != nullptr);
@@ -76,25 +85,40 @@ class Composer {
  private:
   void findEdges();
   std::string whyNot(const JointMotion& m) const;
+  struct Branch {
+    std::vector<int> bodies;   // systems; each after its parent
+    std::vector<int> parents;  // of all bodies but the first, by their places in `bodies`
+    std::vector<int> edges;
+    bool loose = true;
+  };
+  Branch branchOf(int first) const;
+  std::string lostDigits(const Branch& branch) const;
+  void takeChosen();
   void span();
+  void dropUnwanted();
+  void connectEdges();
+  void countSavings();
   void buildTrees();
   void grow(TreeSystem& tree, int from, int index);
   std::unique_ptr<TreeSystem> begin(int first) const;
   void finish(std::unique_ptr<TreeSystem> tree, const std::string& on);
+  void noteStart(const TreeSystem::StartChange& start);
   const PartialMechanicalSystem& system(int i) const { return *model_.systems()[at(i)]; }
   int group(int i) {
     while (parent_[at(i)] != i) i = parent_[at(i)];
     return i;
   }
-  void note(std::string text) { model_.composed.push_back(std::move(text)); }
+  void note(std::string text) { model_.composed.notes.push_back(std::move(text)); }
 
   Model& model_;
+  std::optional<TreeChoice> choice_;  // none: every joint that can is a coordinate
   std::vector<bool> rigid_, fixed_;
   std::vector<Edge> edges_;                 // edges of the trees, in the order of the model
   std::vector<int> parent_;                 // parent of each system in the union of groups
   std::vector<std::vector<int>> edgesOf_;   // per system
   std::vector<TreeSystem::System> bodies_;  // taken out, by index of the system
   std::vector<std::unique_ptr<TreeSystem>> trees_;
+  std::vector<std::string> joints_;  // of the bodies of the tree being built, with their places
   bool any_ = false;
 };
 
@@ -127,6 +151,37 @@ void Composer::findEdges() {
     else
       edges_.push_back(std::move(edge));
   }
+  model_.composed.joints = static_cast<int>(edges_.size());
+}
+
+/// Where the program chooses: drops the joints that are no coordinates by themselves. If none is to
+/// be one, those stay that have rotors, and joints of their mechanisms.
+void Composer::takeChosen() {
+  if (edges_.empty()) return;
+  if (choice_->reason().empty()) {
+    std::erase_if(edges_, [&](const Edge& e) {
+      const std::string why = choice_->whyNot(*e.joint);
+      if (why.empty() || e.rotor()) return false;
+      note(title(*e.joint) + " stays a constraint: " + why);
+      return true;
+    });
+    return;
+  }
+  note("joints stay constraints: " + choice_->reason() +
+       " (coordinates=\"minimal\" makes them coordinates all the same)");
+  std::vector<bool> turns(rigid_.size());
+  for (bool more = true; more;) {
+    more = false;
+    for (const Edge& e : edges_) {
+      const auto a = at(e.motion.systemA), b = at(e.motion.systemB);
+      if (!e.rotor() && !turns[a] && !turns[b]) continue;
+      for (const auto i : {a, b})
+        if (!fixed_[i] && !turns[i]) turns[i] = more = true;
+    }
+  }
+  std::erase_if(edges_, [&](const Edge& e) {
+    return !turns[at(e.motion.systemA)] && !turns[at(e.motion.systemB)];
+  });
 }
 
 /// Keeps the edges of a spanning tree, first those with a rotor, which can be coordinates only. All
@@ -150,17 +205,102 @@ void Composer::span() {
     if (a != b) parent_[at(std::max(a, b))] = std::min(a, b);
   }
   std::vector<Edge> tree;
-  edgesOf_.assign(rigid_.size(), {});
   for (std::size_t e = 0; e < edges_.size(); ++e) {
-    if (!kept[e]) {
+    if (kept[e])
+      tree.push_back(std::move(edges_[e]));
+    else
       note(title(*edges_[e].joint) + " closes a loop: it stays a constraint");
-      continue;
-    }
-    for (const int i : {edges_[e].motion.systemA, edges_[e].motion.systemB})
-      edgesOf_[at(i)].push_back(static_cast<int>(tree.size()));
-    tree.push_back(std::move(edges_[e]));
   }
   edges_ = std::move(tree);
+}
+
+void Composer::connectEdges() {
+  edgesOf_.assign(rigid_.size(), {});
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    for (const int i : {edges_[e].motion.systemA, edges_[e].motion.systemB})
+      edgesOf_[at(i)].push_back(static_cast<int>(e));
+}
+
+/// Where the program chooses: drops the branches that are better made of bodies. A branch is what
+/// hangs together without anything at rest.
+void Composer::dropUnwanted() {
+  std::vector<bool> seen(rigid_.size()), drop(edges_.size());
+  for (std::size_t first = 0; first < rigid_.size(); ++first) {
+    if (fixed_[first] || seen[first] || edgesOf_[first].empty()) continue;
+    const Branch branch = branchOf(static_cast<int>(first));
+    bool rotor = false;
+    for (const int i : branch.bodies) seen[at(i)] = true;
+    for (const int e : branch.edges) rotor = rotor || edges_[at(e)].rotor();
+    std::string why = choice_->whyNot(branch.bodies, branch.loose);
+    if (why.empty()) why = lostDigits(branch);
+    if (why.empty() || rotor) continue;
+    for (const int e : branch.edges) {
+      drop[at(e)] = true;
+      note(title(*edges_[at(e)].joint) + " stays a constraint: " + why);
+    }
+  }
+  std::vector<Edge> kept;
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    if (!drop[e]) kept.push_back(std::move(edges_[e]));
+  edges_ = std::move(kept);
+}
+
+/// The branch of a body. Its bodies are in breadth-first order from something at rest, or from
+/// `first` if it is loose.
+Composer::Branch Composer::branchOf(int first) const {
+  std::vector<int> all{first}, roots;
+  std::vector<bool> found(rigid_.size());
+  found[at(first)] = true;
+  const auto other = [&](int e, int i) {
+    const JointMotion& m = edges_[at(e)].motion;
+    return m.systemA == i ? m.systemB : m.systemA;
+  };
+  for (std::size_t next = 0; next < all.size(); ++next)
+    for (const int e : edgesOf_[at(all[next])]) {
+      const int i = other(e, all[next]);
+      if (fixed_[at(i)]) roots.push_back(all[next]);
+      if (fixed_[at(i)] || found[at(i)]) continue;
+      found[at(i)] = true, all.push_back(i);
+    }
+  Branch out;
+  out.loose = roots.empty();
+  out.bodies = {out.loose ? first : roots.front()};
+  std::fill(found.begin(), found.end(), false);
+  found[at(out.bodies.front())] = true;
+  for (std::size_t next = 0; next < out.bodies.size(); ++next) {
+    const int i = out.bodies[next];
+    for (const int e : edgesOf_[at(i)]) {
+      const int j = other(e, i);
+      if (!fixed_[at(j)] && found[at(j)]) continue;
+      out.edges.push_back(e);
+      if (fixed_[at(j)]) continue;
+      found[at(j)] = true, out.bodies.push_back(j), out.parents.push_back(static_cast<int>(next));
+    }
+  }
+  return out;
+}
+
+/// Names the first body that carries so much that its mass is lost in the sum; empty: none does.
+std::string Composer::lostDigits(const Branch& branch) const {
+  const auto mass = [&](std::size_t k) {
+    return system(branch.bodies[k]).abilities().rigid->rigidPart().m;
+  };
+  std::vector<double> carried(branch.bodies.size(), 0.0);
+  for (std::size_t k = branch.bodies.size(); k-- > 1;)
+    carried[at(branch.parents[k - 1])] += mass(k) + carried[k];
+  for (std::size_t k = 0; k < carried.size(); ++k)
+    if (TreeChoice::losesDigits(mass(k), carried[k]))
+      return title(system(branch.bodies[k])) + " carries much more than its own mass";
+  return {};
+}
+
+void Composer::countSavings() {
+  Composition& out = model_.composed;
+  out.coordinates = static_cast<int>(edges_.size());
+  for (const Edge& e : edges_) {
+    const int body = fixed_[at(e.motion.systemA)] ? e.motion.systemB : e.motion.systemA;
+    out.rowsSaved += (system(body).blocks().planeNormal.isZero(0.0) ? 6 : 3) - e.freedom();
+  }
 }
 
 std::unique_ptr<TreeSystem> Composer::begin(int first) const {
@@ -182,20 +322,30 @@ void Composer::grow(TreeSystem& tree, int from, int index) {
       if (!bodies_[at(other)]) continue;  // the system from which it was reached
       queue.emplace_back(other, tree.carry(std::move(bodies_[at(other)]), carried, m.at_I,
                                            forward ? m.free : reversed(m.free)));
+      joints_.push_back(placed(*edges_[at(e)].joint));
       edges_[at(e)].joint->becomeCoordinate();
     }
   }
 }
 
 void Composer::finish(std::unique_ptr<TreeSystem> tree, const std::string& on) {
-  const double lost = tree->finish();
+  noteStart(tree->finish());
+  joints_.clear();
+  model_.composed.velocitiesAfter += tree->blocks().nu;
   note("tree of " + std::to_string(tree->bodies()) + (tree->bodies() == 1 ? " body" : " bodies") +
        " on " + on + ": q " + std::to_string(tree->blocks().nq) + ", u " +
        std::to_string(tree->blocks().nu));
-  if (lost > kLost)
-    note("its joints change velocities given at the start, by " + std::to_string(lost) +
-         " m/s or rad/s at most");
   trees_.push_back(std::move(tree));
+}
+
+void Composer::noteStart(const TreeSystem::StartChange& start) {
+  Composition::Start& all = model_.composed.start;
+  all.kineticBefore += start.kineticBefore, all.kineticAfter += start.kineticAfter;
+  for (std::size_t k = 0; k < start.off.size(); ++k) {
+    if (!(start.off[k] > kLost)) continue;
+    ++all.joints;
+    if (start.off[k] > all.off) all.off = start.off[k], all.joint = joints_[k];
+  }
 }
 
 void Composer::buildTrees() {
@@ -207,7 +357,10 @@ void Composer::buildTrees() {
   for (const auto& s : model_.systems()) titles.push_back(title(*s));
   bodies_.resize(rigid_.size());
   std::vector<TreeSystem::System> out = model_.takeSystems(taken);
-  for (std::size_t k = 0; k < taken.size(); ++k) bodies_[at(taken[k])] = std::move(out[k]);
+  for (std::size_t k = 0; k < taken.size(); ++k) {
+    model_.composed.velocitiesBefore += out[k]->blocks().nu;
+    bodies_[at(taken[k])] = std::move(out[k]);
+  }
 
   for (Edge& e : edges_) {
     const JointMotion& m = e.motion;
@@ -217,6 +370,7 @@ void Composer::buildTrees() {
     auto tree = begin(first);
     const int index =
         tree->carry(std::move(bodies_[at(first)]), -1, m.at_I, onA ? m.free : reversed(m.free));
+    joints_.push_back(placed(*e.joint));
     e.joint->becomeCoordinate();
     grow(*tree, first, index);
     finish(std::move(tree), titles[at(onA ? m.systemA : m.systemB)]);
@@ -226,6 +380,7 @@ void Composer::buildTrees() {
     auto tree = begin(first);
     const Vec3 n = bodies_[at(first)]->blocks().planeNormal;
     const int index = carryLoose(*tree, std::move(bodies_[at(first)]), n);
+    joints_.push_back(placed(*edges_[at(edgesOf_[at(first)].front())].joint));
     grow(*tree, first, index);
     finish(std::move(tree), "nothing");
   }
@@ -234,23 +389,28 @@ void Composer::buildTrees() {
 
 void Composer::compose() {
   findEdges();
+  if (choice_) takeChosen();
+  if (edges_.empty() && choice_) return;
   if (edges_.empty()) {
     Diagnostic d;
     d.place = model_.simulation.coordinatesPlace;
     d.element = "simulation";
     d.text = "no joint of the model makes a tree: minimal coordinates have nothing to act on";
-    d.hint = any_ ? model_.composed.front()
+    d.hint = any_ ? model_.composed.notes.front()
                   : "joints between rigid bodies do, e.g. Revolute, Spherical, Prismatic or Fixed";
     throw ModelError(d);
   }
   span();
+  connectEdges();
+  if (choice_) dropUnwanted(), connectEdges();
+  countSavings();
   buildTrees();
 }
 
 }  // namespace
 
 void composeTrees(Model& model) {
-  if (model.simulation.coordinates == JointCoordinates::minimal) Composer(model).compose();
+  if (model.simulation.coordinates != JointCoordinates::absolute) Composer(model).compose();
 }
 
 }  // namespace dynamy

@@ -6,7 +6,7 @@
 /// the parent of K, d = r_K − r_P and the screw (w, v) of a velocity u_j
 ///
 ///   turn   w = a, v = 0          slide  w = 0, v = a          a = A_K axis
-///   screw  w = a, v = p a        ball   w_i = A_K e_i, v = 0
+///   screw  w = a, v = p a        ball   w_i = A_P e_i, v = 0
 ///   Ω_K = Ω_P + Σ w u,   v_K = v_P + Ω_P × d + Σ v u                                  (39.1)
 ///   M_jj also has the rotor inertia of motion j                                        (39.3)
 ///   β_R = β_RP + Ω_P × Σ w u,  β_S = β_SP + β_RP × d + Ω_P × (Ω_P × d) + 2 Ω_P × Σ v u (39.2)
@@ -58,7 +58,8 @@ class Tree {
   int nu() const { return nu_; }
   int size() const { return static_cast<int>(nodes_.size()); }
   const TreeNode& node(int k) const { return nodes_[static_cast<std::size_t>(k)]; }
-  /// Is M independent of q? It is for a tree of slides only, or of one single motion.
+  /// Is M independent of q? It is for a tree of slides only, or of one single motion that
+  /// is no ball.
   bool constantMass() const;
 
   using Motions = std::vector<NodeMotion>;
@@ -103,5 +104,9 @@ class Tree {
   std::vector<TreeNode> nodes_;
   int nq_ = 0, nu_ = 0;
 };
+
+/// Axes of the angular velocity of a ball: those of its parent P, in which a body that spins about
+/// its axis of symmetry has an angular velocity that changes slowly.
+const Mat3& turnAxes(const Tree::Motions& x, const TreeNode& node);
 
 }  // namespace dynamy

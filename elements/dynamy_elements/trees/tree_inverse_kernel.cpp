@@ -101,10 +101,11 @@ void Tree::solve(const Motions& x, const std::vector<Articulated>& factors, Cons
     const Articulated& a = factors[k];
     Vec3 f = work[2 * k], n = work[2 * k + 1];
     if (node.kind == FreeBlock::ball) {
-      const Vec3 left = in.segment<3>(node.u0) - x[k].A.transpose() * n;
+      const Mat3& axes = turnAxes(x, node);
+      const Vec3 left = in.segment<3>(node.u0) - axes.transpose() * n;
       out.segment<3>(node.u0) = left;
       if (node.parent < 0) continue;
-      const Vec3 moment = x[k].A * left;
+      const Vec3 moment = axes * left;
       f += a.C * (a.inverseOfI * moment), n += moment;
     } else {
       const Vec3& axis = x[k].a;
@@ -130,9 +131,10 @@ void Tree::solve(const Motions& x, const std::vector<Articulated>& factors, Cons
       alpha = work[P + 1], acceleration = work[P] + alpha.cross(x[k].d);
     }
     if (node.kind == FreeBlock::ball) {
-      const Vec3 left = x[k].A * Vec3(out.segment<3>(node.u0));
+      const Mat3& axes = turnAxes(x, node);
+      const Vec3 left = axes * Vec3(out.segment<3>(node.u0));
       const Vec3 turn = a.inverseOfI * (left - a.C.transpose() * acceleration);
-      out.segment<3>(node.u0) = x[k].A.transpose() * (turn - alpha);
+      out.segment<3>(node.u0) = axes.transpose() * (turn - alpha);
       alpha = turn;
     } else {
       const double r = a.inverse * (out[node.u0] - a.Uf.dot(acceleration) - a.Un.dot(alpha));

@@ -19,6 +19,11 @@ Mat3 turned(const Mat3& A, const Vec3& a, double phi) {
 
 }  // namespace
 
+const Mat3& turnAxes(const Tree::Motions& x, const TreeNode& node) {
+  static const Mat3 world = Mat3::Identity();
+  return node.parent < 0 ? world : x[static_cast<std::size_t>(node.parent)].A;
+}
+
 int Tree::add(TreeNode node) {
   expects(node.parent < size(), "a node comes after its parent");
   node.q0 = nq_, node.u0 = nu_;
@@ -41,7 +46,7 @@ void Tree::addMass(int k, double m, const Vec3& centre, const Mat3& J) {
 }
 
 bool Tree::constantMass() const {
-  if (size() <= 1) return true;
+  if (size() <= 1) return size() == 0 || nodes_.front().kind != Free::ball;
   for (const TreeNode& node : nodes_)
     if (node.kind != Free::slide) return false;
   return true;
@@ -100,7 +105,7 @@ void Tree::rates(const double* u, Motions& out) const {
         way = w[0] * x.a;
         break;
       case Free::ball:
-        turn = x.A * Vec3(w[0], w[1], w[2]);
+        turn = turnAxes(out, node) * Vec3(w[0], w[1], w[2]);
         break;
     }
     if (node.parent < 0) {
@@ -132,7 +137,7 @@ Tree::Columns Tree::columns(const Motions& x, int k) const {
       break;
     case Free::ball:
       out.n = 3;
-      for (int i = 0; i < 3; ++i) out.w[i] = at.A.col(i), out.v[i].setZero();
+      for (int i = 0; i < 3; ++i) out.w[i] = turnAxes(x, node).col(i), out.v[i].setZero();
       break;
   }
   return out;
@@ -169,7 +174,7 @@ void Tree::mass(const Motions& x, std::vector<Mat3>& work, Block M) const {
         const NodeMotion& of = x[static_cast<std::size_t>(i)];
         double entry[3];
         if (other.kind == Free::ball)
-          Eigen::Map<Vec3>{entry} = of.A.transpose() * L;
+          Eigen::Map<Vec3>{entry} = turnAxes(x, other).transpose() * L;
         else
           entry[0] = other.kind == Free::slide  ? of.a.dot(p)
                      : other.kind == Free::turn ? of.a.dot(L)
@@ -197,7 +202,7 @@ void Tree::along(const Motions& x, int k, const Vec3& f, const Vec3& n, Vec out)
       out[of.u0] = at.a.dot(n) + of.pitch * at.a.dot(f);
       break;
     case Free::ball:
-      out.segment<3>(of.u0) = at.A.transpose() * n;
+      out.segment<3>(of.u0) = turnAxes(x, of).transpose() * n;
       break;
   }
 }

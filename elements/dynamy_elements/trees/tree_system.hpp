@@ -21,10 +21,14 @@ class TreeSystem final : public PartialMechanicalSystem, public OwnInverse {
   /// Adds a body that is carried by `parent` (index of another body, −1: the fixed world) and moves
   /// relative to it by the motions `free` at the point `at_I`. Returns its index.
   int carry(System body, int parent, const Vec3& at_I, const std::vector<FreeMotion>& free);
+  /// What the joints changed of the velocities that the bodies were given.
+  struct StartChange {
+    std::vector<double> off;  ///< change of each body's velocity [m/s, rad/s]; empty: all are zero
+    double kineticBefore = 0.0, kineticAfter = 0.0;  ///< [J]
+  };
   /// To be called after the last body: computes the velocities at the start. Velocities of the
-  /// bodies that joints do not allow are lost as by an impact; returns the largest change of a
-  /// body's velocity [m/s, rad/s].
-  double finish();
+  /// bodies that joints do not allow are lost as by an impact.
+  StartChange finish();
 
   Blocks blocks() const override {
     return {tree_.nq(), tree_.nu(), 1, tree_.constantMass(), carried_.planeNormal()};
@@ -36,6 +40,7 @@ class TreeSystem final : public PartialMechanicalSystem, public OwnInverse {
   void h(double t, ConstVec q, ConstVec u, Vec h) const override;
   void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const override;
   void move(double t, Vec q, ConstVec u, double dt) const override;
+  void gyroscopicAtMean(double t, ConstVec q, ConstVec uA, double dt, Vec h) const override;
   void normalise(Vec q) const override;
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   bool feelsGravity(ConstVec) const override { return true; }  // joints may carry it: a wheel

@@ -3,12 +3,41 @@
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
 #include <dynamy_elements/trees/tree_system.hpp>
+#include <limits>
 
 namespace dynamy {
 
 using Free = FreeMotion::Kind;
 
 namespace {
+
+/// Turn of a step [rad] below which it does not matter at which velocity gyroscopic terms are taken.
+constexpr double kHardlyTurns = 1e-8;
+/// Fixed-point iterations for the mean velocity, the square of the share of it at which they end,
+/// and the largest number of equal parts of a step that turns fast.
+constexpr int kMostTurns = 30;
+constexpr double kExactTurn = 1e-20;
+constexpr int kMostParts = 64;
+
+/// u after M(q) (u^E − u^A) = Δt (f + h(q, ū)), ū = ½ (u^A + u^E), by fixed-point iterations;
+/// false: they do not converge.
+bool turnedByMean(const TreeSystem& tree, ConstVec q, const Eigen::VectorXd& f, double dt,
+                  Eigen::VectorXd& u) {
+  const Eigen::VectorXd before = u;
+  Eigen::VectorXd mean = u, h(u.size()), change(u.size());
+  double last = std::numeric_limits<double>::infinity();
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    tree.h(0.0, q, view(std::as_const(mean)), view(h));
+    h += f;
+    tree.applyInverseMass(0.0, q, view(std::as_const(h)), view(change));
+    u = before + dt * change;
+    const double off = (0.5 * (before + u) - mean).squaredNorm();
+    if (off <= kExactTurn * mean.squaredNorm()) return true;
+    if (!(off < last)) return false;
+    mean = 0.5 * (before + u), last = off;
+  }
+  return false;
+}
 
 /// Signals of the coordinates of the body's joint: body.joint.angle and so
 /// on, numbered if there are several.
@@ -32,7 +61,7 @@ void describeJoint(const Tree& tree, const TreeBody& body, Description& d) {
         d.coordinate(start + "q" + axes[i], Unit::none, n.q0 + i, "quaternion since the start");
       for (int i = 0; i < 3; ++i)
         d.velocity(start + "Omega_" + axes[i + 1], Unit::angularVelocity, n.u0 + i,
-                   "relative angular velocity in axes of the body's side");
+                   "relative angular velocity in axes of the other side");
     } else if (isSlide(n.kind)) {
       const std::string number = manySlides ? std::to_string(++slides) : "";
       d.coordinate(start + "way" + number, Unit::length, n.q0, "way since the start");
@@ -96,7 +125,7 @@ void TreeSystem::placeFrames(TreeBody& body) {
   }
 }
 
-double TreeSystem::finish() {
+TreeSystem::StartChange TreeSystem::finish() {
   results_.resize(tree_);
   u0_.setZero(tree_.nu()), start_.setZero(tree_.nq());
   for (int k = 0; k < tree_.size(); ++k)
@@ -107,28 +136,30 @@ double TreeSystem::finish() {
   // M u = Σ Jᵀ (m v, J Ω): the impact after which the velocities fit the joints.
   std::vector<Vec3>& wrench = results_.wrench;
   for (Vec3& w : wrench) w.setZero();
+  StartChange out;
   bool any = false;
   for (const TreeBody& b : carried_.all()) {
     any = any || !b.v.isZero(0.0) || !b.Omega.isZero(0.0);
     if (b.node < 0) continue;
     const Mat3 A = frames_[static_cast<std::size_t>(b.frame0)].A;
     const Vec3 p = b.part.m * b.v, L = A * (b.part.J_S_K * (A.transpose() * b.Omega));
+    out.kineticBefore += 0.5 * (p.dot(b.v) + L.dot(b.Omega));
     wrench[2 * static_cast<std::size_t>(b.node)] += p;
     wrench[2 * static_cast<std::size_t>(b.node) + 1] += L + b.S.cross(p);
   }
-  if (!any || tree_.nu() == 0) return 0.0;
+  if (!any || tree_.nu() == 0) return out;
   tree_.project(x, wrench, view(momentum));
   const int nu = tree_.nu();
   RowMatrix mass(nu, nu);
   tree_.mass(x, results_.inertia, {mass.data(), nu, nu});
   u0_ = mass.ldlt().solve(momentum);
-  double change = 0.0;
+  out.kineticAfter = 0.5 * u0_.dot(momentum);
   results_.at(tree_, view(std::as_const(start_)), view(std::as_const(u0_)));
   for (const TreeBody& b : carried_.all()) {
     const RigidMotion is = carried_.motion(b, start_.data(), x);
-    change = std::max({change, (is.v_S_I - b.v).norm(), (is.Omega_I - b.Omega).norm()});
+    out.off.push_back(std::max((is.v_S_I - b.v).norm(), (is.Omega_I - b.Omega).norm()));
   }
-  return change;
+  return out;
 }
 
 // ---- equations of motion -----------------------------------------------------------------------
@@ -158,8 +189,10 @@ double TreeSystem::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
 void TreeSystem::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {
   for (int k = 0; k < tree_.size(); ++k) {
     const TreeNode& node = tree_.node(k);
+    const double* p = q.data() + node.q0;
     if (node.kind == Free::ball)
-      quaternionRate(q.data() + node.q0, u.segment<3>(node.u0), qdot.data() + node.q0);
+      quaternionRate(p, rotationMatrix(p).transpose() * u.segment<3>(node.u0),
+                     qdot.data() + node.q0);
     else
       qdot[node.q0] = u[node.u0];
   }
@@ -168,10 +201,31 @@ void TreeSystem::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {
 void TreeSystem::move(double, Vec q, ConstVec u, double dt) const {
   for (int k = 0; k < tree_.size(); ++k) {
     const TreeNode& node = tree_.node(k);
+    double* p = q.data() + node.q0;
     if (node.kind == Free::ball)
-      rotate(q.data() + node.q0, dt * u.segment<3>(node.u0));
+      rotate(p, dt * (rotationMatrix(p).transpose() * u.segment<3>(node.u0)));
     else
       q[node.q0] += dt * u[node.u0];
+  }
+}
+
+void TreeSystem::gyroscopicAtMean(double, ConstVec q, ConstVec uA, double dt, Vec h) const {
+  double turn = 0.0;
+  for (const NodeMotion& node : results_.at(tree_, q, uA))
+    turn = std::max(turn, dt * node.Omega.norm());
+  if (tree_.constantMass() || !(turn > kHardlyTurns)) return;
+  Eigen::VectorXd f(tree_.nu()), u(tree_.nu());
+  this->h(0.0, q, uA, view(u));
+  f = h - u;
+  for (int parts = 1; parts <= kMostParts; parts *= 2) {
+    u = uA;
+    int done = 0;
+    while (done < parts && turnedByMean(*this, q, f, dt / parts, u)) ++done;
+    if (done < parts) continue;
+    RowMatrix mass(tree_.nu(), tree_.nu());
+    tree_.mass(results_.at(tree_, q), results_.inertia, {mass.data(), tree_.nu(), tree_.nu()});
+    h = mass * (u - uA) / dt;
+    return;
   }
 }
 
@@ -198,7 +252,7 @@ void TreeSystem::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const
   out.bias_S_I = node.biasS + node.biasR.cross(rho) + node.Omega.cross(drag);
   out.bias_R_I = node.biasR;
   for (int k = f.node; k >= 0; k = tree_.node(k).parent)
-    addColumns(tree_.node(k), x[static_cast<std::size_t>(k)], out);
+    addColumns(x, tree_.node(k), x[static_cast<std::size_t>(k)], out);
 }
 
 // ---- names -------------------------------------------------------------------------------------

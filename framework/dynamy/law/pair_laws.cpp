@@ -129,6 +129,12 @@ const PairLaw& PairLaws::find(const std::string& a, const std::string& b) {
   return out;
 }
 
+bool PairLaws::meet(const std::string& a, const std::string& b) const {
+  if (const auto own = pairs_.find(inOrder(a, b)); own != pairs_.end())
+    return own->second->law() != nullptr;
+  return mixing_ != nullptr && material(a) != nullptr && material(b) != nullptr;
+}
+
 Diagnostic PairLaws::missing(const std::string& a, const std::string& b,
                              const std::set<std::string>& carried) const {
   const std::string between = "between=\"" + a + " " + b + "\"";

@@ -40,6 +40,8 @@ class PairLaws {
   void verify() const { twice_.throwIfAny(); }
   /// Law of the materials a and b, in any order. The answer is kept for found() and idle().
   const PairLaw& find(const std::string& a, const std::string& b);
+  /// True: the materials a and b, in any order, have a law. Nothing is kept.
+  bool meet(const std::string& a, const std::string& b) const;
   /// The error for shapes of materials a and b that can touch without a law: text, hint, notes.
   /// `carried`: the materials of all shapes; a rule with other names may have been meant for a and
   /// b.

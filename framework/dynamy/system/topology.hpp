@@ -72,8 +72,8 @@ class Topology {
   /// element is connected with the systems behind the signals that it reads.
   void bindSignals(std::vector<ReadSignals::Source> sources);
 
-  /// Until the next call, what is requested is noted as a connection of `element`; null: not noted.
-  void connecting(const Element* element) { connections_.begin(element); }
+  /// Where the requests of the element that is being connected are noted.
+  Connections& noting() const { return connections_; }
   const std::vector<Connection>& connections() const { return connections_.list(); }
 
   int nq() const { return nq_; }

@@ -140,7 +140,7 @@ TEST(LocatedNotch, IsFollowedInRotations) {
   const auto even = static_cast<long>(n) % 2 == 0;
   const double side = static_cast<long>(n) % 4 < 2 ? 1.0 : -1.0;
   const double out = even ? quarter - rest : rest;  // from the turning point
-  EXPECT_NEAR(run.state().q[2], side * ((A + a / c) * std::cos(w * out) - a / c), 1e-8);
+  EXPECT_NEAR(run.signal("arm[0].phi"), side * ((A + a / c) * std::cos(w * out) - a / c), 1e-8);
 }
 
 TEST(LocatedNotch, ARopeWithASpringSwingsLikeOne) {

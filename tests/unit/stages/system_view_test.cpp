@@ -31,9 +31,9 @@ class Between final : public ExternalForce {
  public:
   Between(std::string a, std::string b) : names_{std::move(a), std::move(b)} {}
   void connect(Topology& topology) override {
-    topology.connecting(this);
+    topology.noting().begin(this);
     for (int i = 0; i < 2; ++i) ends_[i] = topology.system(names_[i], *this);
-    topology.connecting(nullptr);
+    topology.noting().begin(nullptr);
   }
   void addTo(const Kinematics&, ForceSink& sink) const override {
     ++calls;

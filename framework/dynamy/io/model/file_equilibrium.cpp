@@ -7,8 +7,9 @@
 namespace dynamy {
 namespace {
 
-Equilibrium find(const FileEquilibrium& wanted, const LoadOptions& options, Registry& registry,
+Equilibrium find(const FileEquilibrium& wanted, LoadOptions options, Registry& registry,
                  PluginLoader& plugins) {
+  for (const auto& [name, value] : wanted.start) options.numbers.push_back(name);
   Model model = loadModel(wanted.file, registry, plugins, options);
   State x = model.initialState();
   if (wanted.atRest) x.u.setZero();

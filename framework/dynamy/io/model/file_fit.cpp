@@ -30,8 +30,10 @@ class AskedFit {
 
   FitRequest request() {
     std::map<std::string, double> values;
+    findNeeded();
     const Model model = load(wanted_.set, &values);
     for (const auto& [name, value] : values) known_.push_back(name);
+    std::erase_if(numbers_, [&](const std::string& name) { return values.contains(name); });
     FitRequest out;
     out.tolerance = wanted_.tolerance > 0.0            ? wanted_.tolerance
                     : model.simulation.tolerance > 0.0 ? model.simulation.tolerance
@@ -53,8 +55,21 @@ class AskedFit {
  private:
   Model load(const Overrides& set, std::map<std::string, double>* values) const {
     LoadOptions options;
-    options.set = set, options.parameters = values;
+    options.set = set, options.parameters = values, options.signals = signals_;
+    options.numbers = numbers_;
     return loadModel(wanted_.file, registry_, plugins_, options);
+  }
+  /// Names of signals and numbers of the runs; parameters may be among the numbers.
+  void findNeeded() {
+    for (const auto& [name, text] : wanted_.sigma) signals_.push_back(name);
+    for (const FileFit::Run& run : wanted_.runs) {
+      for (const auto& [name, text] : run.set) numbers_.push_back(name);
+      for (const MeasuredValue& m : run.measured) signals_.push_back(m.signal);
+      if (!run.measured.empty()) continue;
+      for (const std::string& name : measuredNames(run.data))
+        if (name.find('.') != std::string::npos && !name.starts_with("sigma("))
+          signals_.push_back(name);
+    }
   }
   bool isParameter(const std::string& name) const {
     return std::find(known_.begin(), known_.end(), name) != known_.end();
@@ -183,6 +198,8 @@ class AskedFit {
   Registry& registry_;
   PluginLoader& plugins_;
   std::vector<std::string> known_;  // parameters of the model
+  // What the runs are measured by, and coordinates and velocities that they start with.
+  std::vector<std::string> signals_, numbers_;
   std::map<std::string, double> sigma_;
 };
 

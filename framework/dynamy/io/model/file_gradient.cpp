@@ -85,7 +85,11 @@ Gradient gradient(const FileGradient& wanted, Registry& registry, PluginLoader& 
   std::map<std::string, double> values;
   LoadOptions options;
   options.set = wanted.set, options.parameters = &values;
+  options.numbers = wanted.by;
+  for (const std::string& text : wanted.of)
+    if (text.rfind(kInstantPrefix, 0) != 0) options.signals.push_back(signalAt(text).signal);
   const Model model = loadModel(wanted.file, registry, plugins, options);
+  std::erase_if(options.numbers, [&](const std::string& name) { return values.contains(name); });
   GradientRequest request;
   request.checks = wanted.checks, request.tolerance = wanted.tolerance;
   for (const std::string& text : wanted.of) {

@@ -52,7 +52,8 @@ State followedFromOwn(const FileOrbit& wanted, Registry& registry, PluginLoader&
 Model loadOrbitModel(const FileOrbit& wanted, Registry& registry, PluginLoader& plugins,
                      OrbitSection& section) {
   LoadOptions options;
-  options.set = wanted.set, options.orbit = &section;
+  options.set = wanted.set, options.orbit = &section, options.numbers = wanted.mirror;
+  for (const auto& [name, value] : wanted.start) options.numbers.push_back(name);
   Model model = loadModel(wanted.file, registry, plugins, options);
   if (!wanted.section.empty()) readSection(wanted.section, section);
   if (wanted.period > 0.0) section.signal.clear(), section.period = wanted.period;

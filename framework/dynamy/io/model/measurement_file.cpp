@@ -9,6 +9,7 @@
 #include <dynamy/io/files/csv.hpp>
 #include <dynamy/io/files/output_file.hpp>
 #include <dynamy/io/model/measurement_file.hpp>
+#include <fstream>
 #include <map>
 
 namespace dynamy {
@@ -302,6 +303,19 @@ std::vector<MeasuredValue> readMeasurements(const std::filesystem::path& file, c
 std::vector<MeasuredValue> measurementsIn(std::string_view text, const std::string& file,
                                           const Model& model) {
   return MeasurementReader(text, file, model).read();
+}
+
+std::vector<std::string> measuredNames(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  while (std::getline(in, line))
+    if (const std::size_t at = line.find_first_not_of(kSpaces);
+        at != std::string::npos && line[at] != '#')
+      break;
+  std::vector<std::string> out;
+  for (const MeasuredCell& cell : measuredCells(line))
+    out.push_back(cell.text.substr(0, cell.text.find_first_of(" [")));
+  return out;
 }
 
 double quantityOf(Unit unit, const std::string& text, const std::string& what) {

@@ -17,6 +17,9 @@ std::vector<MeasuredValue> readMeasurements(const std::filesystem::path& file, c
 std::vector<MeasuredValue> measurementsIn(std::string_view text, const std::string& file,
                                           const Model& model);
 
+/// Names in the head of such a file, of time and of signals alike; empty if it cannot be read.
+std::vector<std::string> measuredNames(const std::filesystem::path& file);
+
 /// "0.5mm" in SI units. Throws ModelError if it is no quantity of this kind; `what`: in its text.
 double quantityOf(Unit unit, const std::string& text, const std::string& what);
 

@@ -5,6 +5,7 @@
 #include <dynamy/io/model/settings_reader.hpp>
 #include <dynamy/law/pair_laws.hpp>
 #include <dynamy/simulation/equilibrium/equilibrium.hpp>
+#include <dynamy/simulation/model/initial_values.hpp>
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <fstream>
 #include <set>
@@ -174,6 +175,73 @@ std::string documentation(const XmlNode& root) {
   return out;
 }
 
+/// Where the program chose coordinates of joints: throws ModelError unless all that is needed exists
+/// in them.
+void requireNeeded(const Model& model, const LoadOptions& options) {
+  if (model.composed.coordinates == 0 ||
+      model.simulation.coordinates != JointCoordinates::automatic)
+    return;
+  const auto refuse = [&](const std::string& name, const std::string& what) {
+    if (options.parameters == nullptr || !options.parameters->contains(name))
+      throw ModelError('"' + name + "\" is no " + what +
+                       " of a mechanism in coordinates of its joints");
+  };
+  for (const std::string& name : options.signals)
+    if (model.signal(name) == nullptr) refuse(name, "signal");
+  if (options.numbers.empty()) return;
+  const std::vector<std::string> known = namesOfState(model);
+  for (const std::string& name : options.numbers)
+    if (std::find(known.begin(), known.end(), name) == known.end()) refuse(name, "coordinate");
+}
+
+/// Throws ModelError with all faults of the model as a whole.
+void build(Model& model, const SettingsReader& settings, const LoadOptions& options,
+           const XmlDocument& document, Faults& faults) {
+  try {
+    model.build();
+  } catch (const ModelError& e) {
+    addOfModel(faults, e, document);
+    faults.throwIfAny();
+  }
+  settings.verifySignals();
+  faults.throwIfAny();
+  requireNeeded(model, options);
+}
+
+template <class Read>
+Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options, const Read& read);
+
+/// Lets runs of the model start at its equilibrium.
+template <class Read>
+void seekStart(Model& model, Registry& registry, PluginLoader& plugins, const LoadOptions& options,
+               const Read& read, Faults& faults) {
+  // The search runs a model of its own, so that no scheme remembers it.
+  LoadOptions again = options;
+  again.seek = false, again.files = nullptr, again.parameters = nullptr, again.orbit = nullptr;
+  Model other = load(registry, plugins, again, read);
+  try {
+    model.simulation.from =
+        std::make_shared<const State>(equilibrium(other, other.initialState()).at);
+  } catch (const ModelError& e) {
+    Diagnostic d = e.diagnostics().front();
+    d.place = model.simulation.place, d.element = "simulation start=\"equilibrium\"";
+    faults.add(std::move(d));
+    faults.throwIfAny();
+  }
+}
+
+/// The model with all joints as constraints: what the program chose is no reason to refuse it.
+/// `why`: the errors that it has with coordinates of joints.
+template <class Read>
+Model loadWithJoints(const ModelError& why, Registry& registry, PluginLoader& plugins,
+                     LoadOptions options, const Read& read) {
+  options.coordinates = JointCoordinates::absolute;
+  Model out = load(registry, plugins, options, read);
+  out.composed.notes.push_back("joints stay constraints, since elements need them: " +
+                               why.diagnostics().front().text);
+  return out;
+}
+
 template <class Read>
 Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options,
            const Read& read) {
@@ -198,7 +266,11 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   SettingsReader settings(model, source, reader, faults, options.orbit);
   for (const ModelItem& item : source.settings()) settings.read(item);
 
-  if (options.coordinates) model.simulation.coordinates = *options.coordinates;
+  SimulationSettings& simulation = model.simulation;
+  if (options.coordinates)
+    simulation.coordinates = *options.coordinates;
+  else if (simulation.coordinatesPlace.line == 0)
+    simulation.coordinates = JointCoordinates::automatic;
 
   // The model stores its title, text and file.
   model.file.name = source.document().name();
@@ -211,30 +283,17 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
     findUncoveredPairs(parts, registry, source.document(), faults);
   faults.throwIfAny();
   for (auto& [kind, element] : parts) model.add(kind, std::move(element));
+  if (options.prepare) options.prepare(model);
   if (!options.build) return model;
   try {
-    model.build();
+    build(model, settings, options, source.document(), faults);
   } catch (const ModelError& e) {
-    addOfModel(faults, e, source.document());
-    faults.throwIfAny();
+    const Composition& made = model.composed;
+    if (simulation.coordinates != JointCoordinates::automatic || made.coordinates == 0) throw;
+    return loadWithJoints(e, registry, plugins, options, read);
   }
-  settings.verifySignals();
-  faults.throwIfAny();
-  if (model.simulation.start == Start::equilibrium && options.seek) {
-    // The search runs a model of its own, so that no scheme remembers it.
-    LoadOptions again = options;
-    again.seek = false, again.files = nullptr, again.parameters = nullptr, again.orbit = nullptr;
-    Model other = load(registry, plugins, again, read);
-    try {
-      model.simulation.from =
-          std::make_shared<const State>(equilibrium(other, other.initialState()).at);
-    } catch (const ModelError& e) {
-      Diagnostic d = e.diagnostics().front();
-      d.place = model.simulation.place, d.element = "simulation start=\"equilibrium\"";
-      faults.add(std::move(d));
-      faults.throwIfAny();
-    }
-  }
+  if (model.simulation.start == Start::equilibrium && options.seek)
+    seekStart(model, registry, plugins, options, read, faults);
   return model;
 }
 

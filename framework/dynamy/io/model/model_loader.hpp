@@ -6,7 +6,10 @@
 #pragma once
 #include <dynamy/io/model/model_source.hpp>
 #include <dynamy/simulation/model/model.hpp>
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace dynamy {
 
@@ -16,6 +19,12 @@ struct LoadOptions {
   Overrides set;      ///< parameters: (name, value)
   bool build = true;  ///< false: the caller changes the model and calls build() itself
   std::optional<JointCoordinates> coordinates = {};  ///< instead of those in the file
+  /// Signals that the caller needs, and coordinates and velocities; parameters may be among them.
+  /// Where one of them is of a body or a joint alone, joints stay constraints unless the file says
+  /// otherwise.
+  std::vector<std::string> signals = {}, numbers = {};
+  /// Called before the model is built, to change its settings and methods; null: nothing changes.
+  std::function<void(Model&)> prepare = {};
   bool seek = true;  ///< false: `start="equilibrium"` of the model is not followed
   /// Receives the paths of the model, its included files and its plug-ins, including files that
   /// were not found, and even if the model is faulty. A program that waits for changes watches

@@ -70,8 +70,10 @@ void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, con
                                       : Project::both;
   }
   if (x["coordinates"].given) {
-    s.coordinates =
-        x["coordinates"].text == "minimal" ? JointCoordinates::minimal : JointCoordinates::absolute;
+    const std::string& word = x["coordinates"].text;
+    s.coordinates = word == "minimal"    ? JointCoordinates::minimal
+                    : word == "absolute" ? JointCoordinates::absolute
+                                         : JointCoordinates::automatic;
     s.coordinatesPlace = x["coordinates"].place;
   }
   if (x["start"].given) s.start = x["start"].text == "given" ? Start::given : Start::equilibrium;
@@ -269,7 +271,7 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
   if (hint.empty() && owner.empty())
     for (const std::string& name : known)
       if (hint.empty() && name.ends_with('.' + signal)) hint = didYouMean(name);
-  if (hint.empty() && model_->simulation.coordinates == JointCoordinates::minimal)
+  if (hint.empty() && model_->composed.coordinates > 0)
     for (const auto& joint : model_->contacts())
       if (!owner.empty() && owner == joint->name() + ".")
         hint = "in minimal coordinates \"" + joint->name() +

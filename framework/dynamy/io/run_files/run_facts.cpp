@@ -69,6 +69,10 @@ void writeSettings(JsonWriter& json, const Model& model, const Given& set) {
   const double gTol = model.simulation.gTol;
   json.member("gTol", gTol >= 0.0 ? gTol : 1e-12 * model.length());
   json.member("every", model.record.every);
+  const Composition& c = model.composed;
+  json.key("coordinates").beginObject().member("joints", c.coordinates).member("of", c.joints);
+  json.member("velocities", c.velocitiesAfter).member("inBodies", c.velocitiesBefore);
+  json.member("rowsSaved", c.rowsSaved).endObject();
   json.key("set").beginObject();
   for (const auto& [name, value] : set) json.member(name, value);
   json.endObject().endObject();

@@ -7,7 +7,8 @@ namespace dynamy {
 std::vector<NamedNumber> numbersOfState(const Model& model) {
   std::vector<NamedNumber> out;
   for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
-    const std::string of = model.systems()[static_cast<std::size_t>(i)]->name() + ".";
+    const std::string& name = model.systems()[static_cast<std::size_t>(i)]->name();
+    const std::string of = name.empty() ? "" : name + ".";  // of a tree: its bodies have names
     const SystemHandle& s = model.topology().system(i);
     const Description& d = model.description(i);
     for (const auto& [own, index] : d.coordinates) {

@@ -89,7 +89,7 @@ void Model::build() {
 void Model::connectAll() {
   Diagnostics faults;
   const auto guarded = [&](Element& e, auto&& connect) {
-    topology_->connecting(&e);
+    topology_->noting().begin(&e);
     try {
       connect();
     } catch (const ModelError& error) {
@@ -103,7 +103,7 @@ void Model::connectAll() {
   };
   for (const auto& f : forces_) guarded(*f, [&] { f->connect(*topology_); });
   for (const auto& c : contacts_) guarded(*c, [&] { c->connect(*topology_); });
-  topology_->connecting(nullptr);
+  topology_->noting().begin(nullptr);
   faults.throwIfAny();
 }
 

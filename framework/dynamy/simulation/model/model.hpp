@@ -13,6 +13,7 @@
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/simulation/model/composition.hpp>
 #include <dynamy/simulation/model/observer.hpp>
 #include <dynamy/simulation/model/scene_description.hpp>
 #include <dynamy/simulation/model/scheme_choice.hpp>
@@ -80,8 +81,8 @@ class Model {
   std::vector<CheckSettings> checks;
   ModelFile file;
   std::string title, doc;
-  std::vector<std::string> composed;  ///< what completions made of joints, for reports
-  std::string view;                   ///< of the replay: "xy" "xz" "yz" "iso" or empty (chosen)
+  Composition composed;  ///< what completions made of joints, for reports
+  std::string view;      ///< of the replay: "xy" "xz" "yz" "iso" or empty (chosen)
 
   // After build().
   Topology& topology() { return *topology_; }
@@ -112,6 +113,8 @@ class Model {
   /// Asks for a tolerance in place of a step: LocatedDormandPrince replaces a scheme of fixed
   /// steps.
   void askTolerance(double tolerance) { choice_.askTolerance(tolerance, simulation); }
+  /// True: the program chooses the steps. Known before build(), too.
+  bool runsToTolerance() const { return choice_.runsToTolerance(simulation); }
   /// True: the model names no scheme, so that the program chose it.
   bool schemeIsDefault() const { return choice_.isDefault(); }
   /// Called at the start of a run. If no scheme was named, chooses one by whether `simulation` has

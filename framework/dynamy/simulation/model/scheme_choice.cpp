@@ -55,7 +55,7 @@ void SchemeChoice::name(std::unique_ptr<OneStep> scheme) {
 }
 
 void SchemeChoice::begin(const SimulationSettings& s) {
-  isDefault_ = !scheme_;
+  isDefault_ = isDefault_ || !scheme_;
   choose(s);
 }
 
@@ -70,6 +70,10 @@ void SchemeChoice::askTolerance(double tolerance, SimulationSettings& s) {
   s.tolerance = tolerance, s.step = 0.0;
   if (scheme_ && !takesTolerance(*scheme_)) isDefault_ = true;
   choose(s);
+}
+
+bool SchemeChoice::runsToTolerance(const SimulationSettings& s) const {
+  return scheme_ && !isDefault_ ? takesTolerance(*scheme_) : s.tolerance > 0.0;
 }
 
 void SchemeChoice::ready(double length, SimulationSettings& s) {

@@ -20,6 +20,8 @@ class SchemeChoice {
   void ready(double length, SimulationSettings& s);
   /// There is one as soon as one was named or begin() was called.
   OneStep& scheme() const { return *scheme_; }
+  /// True: the scheme works to a tolerance, or will if none is named.
+  bool runsToTolerance(const SimulationSettings& s) const;
   /// True: no scheme was named.
   bool isDefault() const { return isDefault_; }
 

@@ -18,7 +18,8 @@ enum class Project { none, positions, both };
 /// Coordinates of bodies that joints connect (theory 39).
 enum class JointCoordinates {
   absolute,  ///< of each body; joints are bilateral laws
-  minimal    ///< of the joints of spanning trees; joints that close loops are bilateral laws
+  minimal,   ///< of the joints of spanning trees; joints that close loops are bilateral laws
+  automatic  ///< of the joints of those trees for which that is better, of bodies elsewhere
 };
 
 /// Where a run starts.

@@ -251,6 +251,20 @@ void fitVelocities(const Model& model, MechanicalSystem& s, const std::vector<in
   s.evaluate(x);
 }
 
+/// Adds what joints that became coordinates changed of the velocities of their bodies.
+void addTrees(const Composition::Start& trees, double kinetic, StartReport& out) {
+  StartReport::Part& part = out.velocities;
+  if (!(trees.off > 0.0)) return;
+  if (!(out.kineticAfter > 0.0)) out.kineticBefore = out.kineticAfter = kinetic;
+  const double lost = trees.kineticBefore - trees.kineticAfter;
+  out.kineticBefore += lost;
+  // T of the change is that which is lost: the new velocities are orthogonal to it in the metric.
+  if (out.kineticBefore > 0.0)
+    part.share = std::max(part.share, std::sqrt(std::max(0.0, lost) / out.kineticBefore));
+  part.joints += trees.joints;
+  if (trees.off > part.off) part.off = trees.off, part.joint = trees.joint;
+}
+
 }  // namespace
 
 StartReport makeConsistent(const Model& model, MechanicalSystem& s, State& x) {
@@ -262,10 +276,12 @@ StartReport makeConsistent(const Model& model, MechanicalSystem& s, State& x) {
     kept.insert(kept.end(), some.begin(), some.end());
     out.kept += (out.kept.empty() ? "" : " ") + name;
   }
-  if (!JointRows(s.slot(0), false, kept).any()) return out;
-  fitPositions(model, s, kept, x, out.positions);
-  fitVelocities(model, s, kept, x, out);
-  if (out.positions.off > 0.0) s.remember(x);
+  if (JointRows(s.slot(0), false, kept).any()) {
+    fitPositions(model, s, kept, x, out.positions);
+    fitVelocities(model, s, kept, x, out);
+    if (out.positions.off > 0.0) s.remember(x);
+  }
+  addTrees(model.composed.start, kineticOf(s.slot(0), x.u), out);
   return out;
 }
 

@@ -86,11 +86,11 @@ TEST(Clutch, PressedByAFormulaTakesTheTimeOfTwoDiscs) {
     <JointFriction name="clutch" between="a b" scale="min(t/0.2, 1)"><GivenFriction force="5"/>
     </JointFriction></elements><simulation until="1.5" tolerance="1e-9"/></dynamy>)~");
   const State x = scene.run();
-  EXPECT_NEAR(x.u[2], together, 1e-8);  // ten tolerances
-  EXPECT_NEAR(x.u[5], together, 1e-8);
+  EXPECT_NEAR(scene.signal(x, "a.omega"), together, 1e-8);  // ten tolerances
+  EXPECT_NEAR(scene.signal(x, "b.omega"), together, 1e-8);
   // Angle of the first disc: ω = 10 − ∫M/2, then together. ∫∫M/2 = 2.5 (T²/2 − T 0.1 + 0.2²/6).
   const double lost = 2.5 * (0.5 * slip * slip - 0.1 * slip + 0.04 / 6.0);
-  EXPECT_NEAR(x.q[2], 10.0 * slip - lost + together * (1.5 - slip), 1e-7);
+  EXPECT_NEAR(scene.signal(x, "a.phi"), 10.0 * slip - lost + together * (1.5 - slip), 1e-7);
 }
 
 }  // namespace

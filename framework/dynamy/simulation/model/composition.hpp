@@ -1,0 +1,27 @@
+/// Composition: what completions made of the joints of a model.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+struct Composition {
+  std::vector<std::string> notes;  ///< a line each, for `dynamy check`
+  /// Joints that became coordinates, and joints that could have; sizes of the systems that are
+  /// trees now: velocities, and rows of joints, before and after.
+  int coordinates = 0, joints = 0;
+  int velocitiesBefore = 0, velocitiesAfter = 0;
+  int rowsSaved = 0;
+
+  /// Velocities given at the start that joints of trees do not allow. They are lost as by an impact
+  /// of these joints.
+  struct Start {
+    double off = 0.0;            ///< largest change of a body's velocity [m/s, rad/s]
+    long joints = 0;             ///< joints of bodies whose velocities change
+    std::string joint;           ///< that of the body with the largest change, with its place
+    double kineticBefore = 0.0;  ///< of the trees with the velocities given [J]
+    double kineticAfter = 0.0;   ///< with those that they start with [J]
+  } start;
+};
+
+}  // namespace dynamy
