@@ -103,8 +103,15 @@ void StatusDecision::pose(const OngoingEvent& at, const Start& start, InclusionP
       const bool slips = b.slips && k >= b.slip;
       c[row] -= jumped ? gammaBefore_[k] : p.gammaA[row] - p.dt * p.contacts->bias[row];
       p.gammaA[row] = slips ? gammaBefore_[k] : 0.0;
+      // Where nothing asks for a force, what is left is rounding, of which no slip begins.
+      if (k >= b.slip && !(std::abs(c[row]) > p.cNoise[row])) c[row] = 0.0;
       if (!slips) asked = std::max(asked, std::abs(c[row]));
     }
+    // Friction of this slip moves others: of that, what is smaller can no more be seen.
+    ForceSet set;
+    if (b.slips && forceSet(p.law(b.contact), p.input(b.contact), set, b.first) &&
+        set.form == ForceSet::Form::given && std::isfinite(set.upper))
+      asked = std::max(asked, kDecided * p.G->diagonalBlock(b.contact)[0] * set.upper);
   }
   if (!(asked > 0.0)) asked = 1e-12 * at.norm.speed();
   for (const Block& b : blocks_) {
@@ -170,11 +177,7 @@ Held StatusDecision::status(const InclusionProblem& p, ConstVec Lambda, const Bl
   if (b.slipRows == 0) return h;
   ForceSet set;
   const bool idle = forceSet(law, p.input(b.contact), set, b.first) && set.idle();
-  // Where nothing but rounding asks for a rate of slip, solvers leave that much of it.
-  double rounding = 0.0;
-  for (int k = b.slip; k < b.slip + b.slipRows && !p.cNoise.empty(); ++k)
-    rounding = std::max(rounding, p.cNoise[static_cast<std::size_t>(k)]);
-  h.slips = b.slips || idle || speedOf(p, b, xi_) > kDecided * p.uRef + rounding;
+  h.slips = b.slips || idle || speedOf(p, b, xi_) > kDecided * p.uRef;
   if (!h.slips) return h;
   const Eigen::VectorXd& slip = b.slips ? gammaBefore_ : xi_;
   h.sign = slip[b.slip] < 0.0 ? -1.0 : 1.0;
