@@ -8,6 +8,7 @@
 #include <dynamy/io/run_files/packed_signals.hpp>
 #include <dynamy/io/run_files/run_facts.hpp>
 #include <dynamy/io/run_files/run_recording.hpp>
+#include <dynamy/simulation/model/initial_values.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/simulation/run/sample_instants.hpp>
@@ -225,9 +226,15 @@ class Steps {
   double signal(const std::string& name) {
     return signals_.value(attempt_.view(steps_, steps_ > 0), name);
   }
-  void input(const std::string& name, double value) {
-    requireNumber(name, value);
-    state().memory[signals_.input(name).first] = value;
+  void set(const std::string& name, double value) {
+    if (signals_.hasInput(name) || name.find('.') == std::string::npos) {
+      requireNumber(name, value);
+      state().memory[signals_.input(name).first] = value;
+    } else if (!std::isfinite(value)) {
+      throw py::value_error('"' + name + "\" gets a number, not " + numberText(value));
+    } else {
+      setNumber(model_, name, value, state());
+    }
   }
 
  private:
@@ -290,8 +297,9 @@ void bindRun(py::module_& m) {
            "Takes the steps that end exactly dt [s] later, with every scheme, also beyond the\n"
            "model's `until`.")
       .def("__getitem__", &Steps::signal, py::arg("signal"), "Value of a signal now.")
-      .def("__setitem__", &Steps::input, py::arg("input"), py::arg("value"),
-           "Sets an <Input> from now on.")
+      .def("__setitem__", &Steps::set, py::arg("name"), py::arg("value"),
+           "Sets an <Input> from now on, or a coordinate or velocity by its name: \"cart.vx\". A\n"
+           "velocity of a body in coordinates of joints changes as by a percussion along it.")
       .def_property_readonly(
           "t", [](Steps& x) { return x.state().t; }, "Time [s].")
       .def_property_readonly("contacts", &Steps::contacts,

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/core/declared/parameters.hpp>
 
 #include "signals.hpp"
@@ -29,6 +30,12 @@ MemoryHandle NamedSignals::input(const std::string& name) const {
   throw ModelError("no input named \"" + name + '"',
                    known.empty() ? "add <Input name=\"" + name + "\"/> to the forces"
                                  : unknownNameHint(name, known));
+}
+
+bool NamedSignals::hasInput(const std::string& name) const {
+  const auto& forces = model_.forces();
+  return std::any_of(forces.begin(), forces.end(),
+                     [&](const auto& f) { return f->type() == "Input" && f->name() == name; });
 }
 
 }  // namespace dynamy::python

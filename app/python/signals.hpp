@@ -14,6 +14,8 @@ class NamedSignals {
   double value(const StepView& view, const std::string& name);
   /// The number that an <Input> of this name holds. Throws ModelError.
   MemoryHandle input(const std::string& name) const;
+  /// True: the model has an <Input> of this name.
+  bool hasInput(const std::string& name) const;
 
  private:
   const Model& model_;

@@ -171,6 +171,30 @@ class Module(unittest.TestCase):
             self.assertAlmostEqual(simulation["cart.vx"], blocks["cart.vx"], delta=1e-9)
             self.assertEqual(simulation["in"], simulation["in.out"])
 
+    def test_velocities_are_set_by_name_whatever_the_coordinates(self):
+        text = """<dynamy version="1"><systems><Ground name="world"/>
+          <PlanarBody name="rod" mass="1" inertia="0.1" position="0.5 0 0"/></systems>
+          <elements><Revolute between="world rod"/></elements>
+          <simulation until="1" COORDINATES/></dynamy>""".replace('between="world rod"', 'between="world rod" at="0 0 0"')
+        for how in ('tolerance="1e-8"', 'tolerance="1e-8" coordinates="absolute"'):
+            simulation = dynamy.Simulation(dynamy.model(text.replace("COORDINATES", how)))
+            simulation["rod.omega"] = 2.0
+            simulation.advance(0.25)
+            # Nothing turns it: the hinge holds, and 2 rad/s last. In coordinates of the body the
+            # joint takes its part first: J ω = 0.1 · 2 = (0.1 + 0.25) ω.
+            omega = 2.0 if "absolute" not in how else 0.2 / 0.35
+            self.assertAlmostEqual(simulation["rod.omega"], omega, delta=1e-9)
+            self.assertAlmostEqual(simulation["rod.phi"] % (2 * math.pi), 0.25 * omega, delta=1e-8)
+        simulation = dynamy.Simulation(dynamy.model(text.replace("COORDINATES", 'tolerance="1e-8"')))
+        simulation["rod.vz"] = 1.0  # of its centre, 0.5 m from the hinge
+        self.assertAlmostEqual(simulation["rod.omega"], 2.0, delta=1e-12)
+        simulation["rod.joint.angle"] = 0.5
+        self.assertAlmostEqual(simulation["rod.phi"], 0.5, delta=1e-12)
+        for name, message in (("rod.x", "carried by joints"), ("rod.vx", "do not let"),
+                              ("rod.vy", "no coordinate or velocity")):
+            with self.assertRaisesRegex(dynamy.ModelError, message):
+                dynamy.Simulation(dynamy.model(text.replace("COORDINATES", 'tolerance="1e-8"')))[name] = 1.0
+
     def test_a_run_reads_signals_and_sets_inputs(self):
         model = dynamy.model(self.CART.replace("SIMULATION", 'step="10ms"><MoreauMidpoint/>')
                              .replace("FORCES", '<Input name="in" value="2"/>').replace("IN", "in"))
