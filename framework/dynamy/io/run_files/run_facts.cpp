@@ -121,6 +121,7 @@ void writeRunFacts(JsonWriter& json, const Model& model, const RunReport& r,
       .member("left", r.passing.left)
       .member("bounded", r.passing.bounded)
       .member("damped", r.trust.damped)
+      .member("dampedLoss", r.trust.dampedLoss)
       .member("slowed", r.trust.slowed.steps);
   json.member("simpler", r.simpler.steps);
   json.member("evaluations", r.cost.evaluations).member("impacts", r.contacts.impacts);

@@ -35,7 +35,14 @@ void EnergyWatch::sample(const StepView& view) {
   }
   trust.kineticMax = std::max(trust.kineticMax, e.kineticEnd);
   const double unexplained = e.discretisation + e.joints;
-  if (report_.contacts.impacts == sampledImpacts_) unexplained_ += unexplained - sampled_;
+  if (report_.contacts.impacts == sampledImpacts_) {
+    const double change = unexplained - sampled_;
+    if (damps_ && change < 0.0)
+      trust.dampedLoss -= change;
+    else
+      unexplained_ += change;
+  }
+  damps_ = false;
   sampled_ = unexplained, sampledImpacts_ = report_.contacts.impacts;
   const double error = std::abs(unexplained_);
   if (error > trust.energyError) trust.energyError = error, trust.energyErrorTime = view.after.t;
@@ -77,7 +84,7 @@ void EnergyWatch::rounding(const EnergyReport& e) {
 void EnergyWatch::archive(Archive& a) {
   a.section("energy watch");
   a(sampled_), a(unexplained_), a(sampledImpacts_), a(least_), a(leastOwn_), a(sinceLeast_);
-  a(inertia_), a(moves_);
+  a(inertia_), a(moves_), a(damps_);
 }
 
 }  // namespace dynamy

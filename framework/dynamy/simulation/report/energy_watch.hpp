@@ -1,7 +1,9 @@
 /// EnergyWatch: energy that appears or vanishes without a cause, sampled along a run:
 ///
 ///   error       e(t) = |ΔT + ΔV − works + joints|, summed over intervals without an impact,
-///               because some schemes book the loss of an impact in this term alone
+///               because some schemes book the loss of an impact in this term alone. What is lost
+///               in intervals in which a step damped forces that it does not resolve is counted by
+///               itself (RunTrust::dampedLoss): that is what damping is for
 ///   rise        rise(t) = (T + V) − start − the work of drives and boundaries
 ///   gain        the least of rise(t) and of the energy that the scheme itself brought in, each
 ///               above its lowest value so far. Losses in impacts then do not hide later gains, and
@@ -26,6 +28,8 @@ class EnergyWatch {
   void start(const StepView& initial);
   /// In the present step forces alone give this energy [J].
   void forcesGive(double energy) { sinceLeast_ = std::max(sinceLeast_, energy); }
+  /// The present step damps forces that it does not resolve.
+  void damps() { damps_ = true; }
   /// Compares the energies at the end of the step.
   void sample(const StepView& view);
   void archive(Archive& a);
@@ -40,6 +44,7 @@ class EnergyWatch {
   double least_ = 0.0, leastOwn_ = 0.0;
   double sinceLeast_ = 0.0;  // largest energy that forces gave in a step since then [J]
   long sampledImpacts_ = 0;
+  bool damps_ = false;    // a step since the last sample damped forces
   double inertia_ = 0.0;  // ½ sᵀM s/t² [J]
   double moves_ = 0.0;    // largest T + |V| + Σ|works| [J]
 };

@@ -5,7 +5,7 @@ namespace dynamy {
 void RunTrust::archive(Archive& a) {
   for (double* x : {&kineticMax, &stepEnergy, &energyError, &energyErrorTime, &energyRise,
                     &energyRiseTime, &energyGain, &energyGainTime, &regain, &gainStep, &omegaDt,
-                    &turn, &way, &fall, &leap, &rounding, &slowed.most, &slowed.t})
+                    &turn, &way, &fall, &leap, &rounding, &slowed.most, &slowed.t, &dampedLoss})
     a(*x);
   a(damped), a(slowed.steps);
 }

@@ -71,6 +71,14 @@ void aboutEnergy(const RunReport& r, Warnings& out) {
                                "where no force did work: the scheme's own error; {}",
                                t.energyError, t.energyErrorTime, error, remedy(r)),
                    1, t.energyErrorTime});
+  if (ratio(t.dampedLoss, t.energyScale()) > kEnergy)
+    out.push_back({"damped",
+                   fmt::format("{:.3g} J, {:.3g} of the largest T, were lost in steps that damp {} "
+                               "spring{} or damper{} which they do not resolve; a smaller step "
+                               "resolves them, stiff=\"true\" keeps their energy",
+                               t.dampedLoss, ratio(t.dampedLoss, t.energyScale()), t.damped,
+                               t.damped == 1 ? "" : "s", t.damped == 1 ? "" : "s"),
+                   t.damped, 0.0});
 }
 
 void aboutImpacts(const RunReport& r, Warnings& out) {
@@ -211,7 +219,7 @@ void aboutStep(const RunReport& r, double length, Warnings& out) {
                                              t.fall, t.fall / length)});
 }
 
-constexpr std::array<WarningKind, 17> kKinds = {{
+constexpr std::array<WarningKind, 18> kKinds = {{
     {"contradiction", Says::qualifies, "joints or drives contradict each other at the start"},
     {"start positions", Says::note, "joints did not fit at the start, bodies were moved onto them"},
     {"start velocities", Says::note,
@@ -219,6 +227,7 @@ constexpr std::array<WarningKind, 17> kKinds = {{
     {"unsolved", Says::qualifies, "an inclusion missed its tolerance"},
     {"energy gain", Says::qualifies, "T + V rose and nothing brought it in"},
     {"energy", Says::warning, "energy went where no force did work: the scheme's own error"},
+    {"damped", Says::note, "energy was lost in steps that damp forces which they do not resolve"},
     {"impact law", Says::warning, "impacts would have gained energy by their law"},
     {"restitution", Says::note, "impacts would have gained energy by their law, and rebound less"},
     {"start", Says::note, "the model puts bodies into each other"},

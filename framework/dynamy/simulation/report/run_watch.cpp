@@ -41,7 +41,10 @@ void RunWatch::step(const StepView& view) {
   } else {
     resolution_.skip();
   }
-  report_.trust.damped = std::max(report_.trust.damped, view.system.implicitForces().damped());
+  if (const int damped = view.system.implicitForces().damped(); damped > 0) {
+    report_.trust.damped = std::max(report_.trust.damped, damped);
+    energy_.damps();
+  }
   if (!view.scheme.choosesSteps() || view.report.counts.stepped) gaps_.step(view);
   // A run that diverges is not to go on up to the next sample.
   if (view.after.t >= nextSample_ || view.after.u.squaredNorm() > kMuchFaster * fastest_)
