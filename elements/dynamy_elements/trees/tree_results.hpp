@@ -42,6 +42,10 @@ class TreeResults {
 
   std::vector<Mat3> inertia;  ///< workspaces, one and two per node
   std::vector<Vec3> wrench;
+  /// Workspaces of a step at the mean velocity, one number per velocity.
+  struct Mean {
+    Eigen::VectorXd f, u, before, mean, h, change, sum;
+  } step;
 
  private:
   /// Bitwise comparison, so that results for NaN are not computed again.

@@ -19,22 +19,21 @@ constexpr int kMostTurns = 30;
 constexpr double kExactTurn = 1e-20;
 constexpr int kMostParts = 64;
 
-/// u after M(q) (u^E − u^A) = Δt (f + h(q, ū)), ū = ½ (u^A + u^E), by fixed-point iterations;
-/// false: they do not converge.
-bool turnedByMean(const TreeSystem& tree, ConstVec q, const Eigen::VectorXd& f, double dt,
-                  Eigen::VectorXd& u) {
-  const Eigen::VectorXd before = u;
-  Eigen::VectorXd mean = u, h(u.size()), change(u.size());
+/// w.u after M(q) (u^E − u^A) = Δt (f + h(q, ū)), ū = ½ (u^A + u^E), from u^A = w.u, by fixed-point
+/// iterations; w.h: f + h(q, ū). False: they do not converge.
+bool turnedByMean(const TreeSystem& tree, ConstVec q, double dt, TreeResults::Mean& w) {
+  w.before = w.mean = w.u;
   double last = std::numeric_limits<double>::infinity();
   for (int turn = 0; turn < kMostTurns; ++turn) {
-    tree.h(0.0, q, view(std::as_const(mean)), view(h));
-    h += f;
-    tree.applyInverseMass(0.0, q, view(std::as_const(h)), view(change));
-    u = before + dt * change;
-    const double off = (0.5 * (before + u) - mean).squaredNorm();
-    if (off <= kExactTurn * mean.squaredNorm()) return true;
+    tree.h(0.0, q, view(std::as_const(w.mean)), view(w.h));
+    w.h += w.f;
+    tree.applyInverseMass(0.0, q, view(std::as_const(w.h)), view(w.change));
+    w.u = w.before + dt * w.change;
+    w.change = 0.5 * (w.before + w.u);
+    const double off = (w.change - w.mean).squaredNorm();
+    if (off <= kExactTurn * w.mean.squaredNorm()) return true;
     if (!(off < last)) return false;
-    mean = 0.5 * (before + u), last = off;
+    w.mean = w.change, last = off;
   }
   return false;
 }
@@ -214,17 +213,16 @@ void TreeSystem::gyroscopicAtMean(double, ConstVec q, ConstVec uA, double dt, Ve
   for (const NodeMotion& node : results_.at(tree_, q, uA))
     turn = std::max(turn, dt * node.Omega.norm());
   if (tree_.constantMass() || !(turn > kHardlyTurns)) return;
-  Eigen::VectorXd f(tree_.nu()), u(tree_.nu());
-  this->h(0.0, q, uA, view(u));
-  f = h - u;
+  TreeResults::Mean& w = results_.step;
+  for (Eigen::VectorXd* v : {&w.f, &w.u, &w.h, &w.change, &w.sum}) v->resize(tree_.nu());
+  this->h(0.0, q, uA, view(w.u));
+  w.f = h - w.u;
   for (int parts = 1; parts <= kMostParts; parts *= 2) {
-    u = uA;
+    w.u = uA, w.sum.setZero();
     int done = 0;
-    while (done < parts && turnedByMean(*this, q, f, dt / parts, u)) ++done;
+    for (; done < parts && turnedByMean(*this, q, dt / parts, w); ++done) w.sum += w.h;
     if (done < parts) continue;
-    RowMatrix mass(tree_.nu(), tree_.nu());
-    tree_.mass(results_.at(tree_, q), results_.inertia, {mass.data(), tree_.nu(), tree_.nu()});
-    h = mass * (u - uA) / dt;
+    h = w.sum / parts;  // M(q) (u^E − u^A)/Δt
     return;
   }
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/core/constants.hpp>
 #include <dynamy/simulation/model/model.hpp>
@@ -34,15 +35,14 @@ void EnergyWatch::sample(const StepView& view) {
     return;
   }
   trust.kineticMax = std::max(trust.kineticMax, e.kineticEnd);
-  const double unexplained = e.discretisation + e.joints;
+  const double unexplained = e.discretisation + e.joints, elastic = this->elastic(view);
   if (report_.contacts.impacts == sampledImpacts_) {
     const double change = unexplained - sampled_;
-    if (damps_ && change < 0.0)
-      trust.dampedLoss -= change;
-    else
-      unexplained_ += change;
+    const double damped =
+        damps_ ? std::clamp(-change, 0.0, std::max(0.0, elastic_ - elastic)) : 0.0;
+    trust.dampedLoss += damped, unexplained_ += change + damped;
   }
-  damps_ = false;
+  damps_ = false, elastic_ = elastic;
   sampled_ = unexplained, sampledImpacts_ = report_.contacts.impacts;
   const double error = std::abs(unexplained_);
   if (error > trust.energyError) trust.energyError = error, trust.energyErrorTime = view.after.t;
@@ -60,6 +60,21 @@ void EnergyWatch::sample(const StepView& view) {
   now.energyGain = std::min(rise - least_, own - leastOwn_);
   now.energyGainTime = view.after.t, now.gainStep = sinceLeast_;
   if (now.energyGain * trust.gainScale() > trust.energyGain * now.gainScale()) trust = now;
+}
+
+/// V of the forces that may act between bodies, not of fields such as gravity [J].
+double EnergyWatch::elastic(const StepView& view) {
+  const auto& forces = view.model.forces();
+  const auto acts = [](const auto& f) { return f->mayCouple(); };
+  if (view.scheme.choosesSteps() || std::none_of(forces.begin(), forces.end(), acts)) return 0.0;
+  const State& x = view.after;
+  kinematics_.resize(view.model.topology());
+  kinematics_.evaluate(view.model.topology(), x.t, dynamy::view(x.q), dynamy::view(x.u),
+                       dynamy::view(x.memory));
+  double V = 0.0;
+  for (const auto& f : forces)
+    if (acts(f)) V += f->potentialEnergy(kinematics_);
+  return V;
 }
 
 /// Has T + V risen by far more than all that the run began with and all works? What is left of T and
@@ -84,7 +99,7 @@ void EnergyWatch::rounding(const EnergyReport& e) {
 void EnergyWatch::archive(Archive& a) {
   a.section("energy watch");
   a(sampled_), a(unexplained_), a(sampledImpacts_), a(least_), a(leastOwn_), a(sinceLeast_);
-  a(inertia_), a(moves_), a(damps_);
+  a(inertia_), a(moves_), a(damps_), a(elastic_);
 }
 
 }  // namespace dynamy

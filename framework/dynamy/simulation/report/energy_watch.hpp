@@ -2,8 +2,9 @@
 ///
 ///   error       e(t) = |ΔT + ΔV − works + joints|, summed over intervals without an impact,
 ///               because some schemes book the loss of an impact in this term alone. What is lost
-///               in intervals in which a step damped forces that it does not resolve is counted by
-///               itself (RunTrust::dampedLoss): that is what damping is for
+///               in intervals in which a step damped forces that it does not resolve, and by which
+///               V of forces between bodies falls there, is counted by itself
+///               (RunTrust::dampedLoss): that is what damping is for. What is lost beyond it is error
 ///   rise        rise(t) = (T + V) − start − the work of drives and boundaries
 ///   gain        the least of rise(t) and of the energy that the scheme itself brought in, each
 ///               above its lowest value so far. Losses in impacts then do not hide later gains, and
@@ -16,6 +17,7 @@
 /// All are compared with the largest T (RunTrust::energyScale, gainScale).
 #pragma once
 #include <dynamy/simulation/report/run_report.hpp>
+#include <dynamy/system/kinematics.hpp>
 
 namespace dynamy {
 
@@ -37,6 +39,7 @@ class EnergyWatch {
  private:
   bool diverges(const EnergyReport& e, double rise) const;
   void rounding(const EnergyReport& e);
+  double elastic(const StepView& view);
   EnergyLedger& ledger_;
   RunReport& report_;
   double sampled_ = 0.0, unexplained_ = 0.0;
@@ -45,6 +48,8 @@ class EnergyWatch {
   double sinceLeast_ = 0.0;  // largest energy that forces gave in a step since then [J]
   long sampledImpacts_ = 0;
   bool damps_ = false;    // a step since the last sample damped forces
+  double elastic_ = 0.0;  // V of forces between bodies at the last sample [J]
+  Kinematics kinematics_;
   double inertia_ = 0.0;  // ½ sᵀM s/t² [J]
   double moves_ = 0.0;    // largest T + |V| + Σ|works| [J]
 };

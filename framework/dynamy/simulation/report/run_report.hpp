@@ -62,7 +62,7 @@ struct RunTrust {
   };
   Slowed slowed;
   int damped = 0;  ///< most forces that one step does not resolve and takes at its end
-  /// Energy that was lost, without an impact, while steps damped such forces [J].
+  /// Potential energy that was lost, without an impact, while steps damped such forces [J].
   double dampedLoss = 0.0;
   /// Error of the energies by rounding [J]; changes below it are not reported (RunWatch).
   double rounding = 0.0;

@@ -43,6 +43,23 @@ TEST(BandedLu, SolvesEachPartForAnyNumberOfColumns) {
   }
 }
 
+TEST(BandedLu, CountsItsMultiplications) {
+  // A tridiagonal matrix that needs no exchange of rows: one multiplication for each of its n − 1
+  // eliminations, and 2 (n − 1) for each right-hand side.
+  constexpr int kN = 5;
+  BandedLu lu;
+  const int end = kN;
+  lu.reset(kN, 1, {&end, 1});
+  for (int i = 0; i < kN; ++i)
+    for (int j = std::max(0, i - 1); j <= std::min(kN - 1, i + 1); ++j)
+      lu.at(i, j) = i == j ? 4.0 : 1.0;
+  ASSERT_TRUE(lu.factor());
+  EXPECT_EQ(lu.multiplications(), kN - 1);
+  std::vector<double> x(3 * kN, 1.0);
+  lu.solve(x.data(), 0, kN, 3);
+  EXPECT_EQ(lu.multiplications(), (kN - 1) + 3 * 2 * (kN - 1));
+}
+
 TEST(BandedLu, TellsThatAPartIsSingular) {
   BandedLu lu;
   twoParts(lu, 0.0);
