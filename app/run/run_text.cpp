@@ -174,15 +174,15 @@ std::string headText(const Model& model, const RunChoice& choice) {
 }
 
 /// Warns if the scheme itself changes the energy by more than rounding and by more than 1 % of the
-/// energy that is exchanged in the run.
-std::string discretisationText(const EnergyReport& e, double rounding) {
+/// energy that is exchanged in the run. What damped forces lose is told by itself.
+std::string discretisationText(const EnergyReport& e, const RunTrust& trust) {
   // Add the absolute works: the work of drives and that of friction may cancel.
   const double moves =
       std::max({e.kineticStart, std::abs(e.potentialEnd - e.potentialStart),
                 std::abs(e.nonPotential) + std::abs(e.friction) + std::abs(e.normal) +
                     std::abs(e.joints) + std::abs(e.boundaries)});
-  const double change = std::abs(e.discretisation);
-  if (!(change > 0.01 * moves && change > rounding)) return {};
+  const double change = std::abs(e.discretisation + trust.dampedLoss);
+  if (!(change > 0.01 * moves && change > trust.rounding)) return {};
   return fmt::format(
       " THE DISCRETISATION CHANGED THE ENERGY by {:.2g} of what moves: take a smaller step\n",
       change / moves);
@@ -271,7 +271,7 @@ std::string resultText(const Model& model, const RunReport& r,
   if (e.joints != 0.0) out += fmt::format("   joints {:.2g}", e.joints);
   if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
   out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
-  out += discretisationText(e, r.trust.rounding);
+  out += discretisationText(e, r.trust);
   if (r.located.switches > 0 || r.located.accumulations > 0)
     out += fmt::format(
         " {} located, {} passed{}\n", counted(r.located.switches, "switch", "switches"),

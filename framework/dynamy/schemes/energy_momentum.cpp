@@ -82,6 +82,7 @@ StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, S
     report = halve(s, solver, x, 0.5 * dt, depth + 1);
     report.dt = dt;
     report.simpler |= first.simpler;
+    report.dampedWork += first.dampedWork;
     report.solved.iterations += first.solved.iterations;
     report.solved.newton += first.solved.newton;
     report.solved.energyGain += first.solved.energyGain;
@@ -152,6 +153,7 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
   if (project_ && !projection_.velocities(s, solver, x)) solved.status = SolveStatus::stalled;
   jump ? x.scheme.resize(0) : keepMean(x, dt);
   StepReport report{dt, solved, s.problem().size()};
+  report.dampedWork = s.implicitForces().dampedWork();
   if (jump) report.jump = &jump_;
   report.refused = newton_.fault();
   return report;

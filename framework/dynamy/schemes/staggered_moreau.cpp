@@ -60,6 +60,7 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
     x.scheme.resize(0);
   s.move(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
   StepReport report{dt, solved, problem_->size()};
+  report.dampedWork = s.implicitForces().dampedWork();
   if (!apart) report.solved.status = SolveStatus::stalled, s.limits.effort = Effort::retried;
   if (options_.project == Project::none || !hasJoints(e.contacts)) return report;
   if (!projection_.positions(s, solver, x, 0.1 * s.gTol()))

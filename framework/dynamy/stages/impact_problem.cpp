@@ -106,6 +106,7 @@ void ImpactProblem::velocityFromImpulses(State& x) {
     StiffPart& stiff = implicitForces_->stiff();
     if (rows() > 0)
       stiff.addVelocity(*contacts, from_->mass, Lambda_.data(), x.u);  // u^E = u_free + M̂⁻¹WΛ
+    implicitForces_->bookDampedWork(*parts_, *from_, dt, uA_, x.u);
     // The h that the step used:  M(u^E − u^A) = Δt h + WΛ; dampers have no potential.
     stiff.addUsedForce(dt, uA_, x.u, from_->h, from_->hNonPotential);
   } else if (rows() > 0) {

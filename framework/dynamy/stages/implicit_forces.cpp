@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/stages/implicit_forces.hpp>
 
 namespace dynamy {
@@ -14,10 +15,28 @@ void ImplicitForces::resolve(const SystemParts& parts, const Evaluation& e, cons
                                           dt, neutral);
   const double share = stiff_.share();
   resolution_ = {share, share > ForceResolution::kExplicit};
-  damped_ = unresolved_ && !stiff_.neutral() ? stiff_.unresolved() : 0;
+  damp(unresolved_ && !stiff_.neutral() ? stiff_.unresolved() : std::span<const char>());
   if (!unresolved_) return;
   stiff_.factor(e.mass, dt, declared, stiff_.neutral() ? kImplicitMidpoint : kImplicitEnd);
   acceleration_ = change(e, x.u, dt) / dt;
+}
+
+void ImplicitForces::damp(std::span<const char> forces) {
+  which_ = forces, dampedWork_ = 0.0;
+  damped_ = static_cast<int>(std::count(forces.begin(), forces.end(), 1));
+}
+
+void ImplicitForces::bookDampedWork(const SystemParts& parts, const Evaluation& e, double dt,
+                                    const Eigen::VectorXd& uA, const Eigen::VectorXd& uE) {
+  if (damped_ == 0) return;
+  work_.setZero(uA.size()), change_.setZero(uA.size());
+  ForceSink sink(view(work_), view(change_));
+  for (std::size_t i = 0; i < which_.size(); ++i) {
+    if (which_[i] == 0) continue;
+    sink.hasPotential(parts.forces[i]->hasPotential());
+    parts.forces[i]->addTo(e.kinematics, sink);
+  }
+  dampedWork_ = 0.5 * dt * (work_ - change_).dot(uA + uE) + stiff_.workOfUnresolved(dt, uA, uE);
 }
 
 const Eigen::VectorXd& ImplicitForces::change(const Evaluation& e, const Eigen::VectorXd& uA,

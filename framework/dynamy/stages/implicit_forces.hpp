@@ -33,7 +33,15 @@ class ImplicitForces {
   void forget() { unresolved_ = false; }
   /// Number of forces that the present step takes at its end, or that are withheld.
   int damped() const { return damped_; }
-  void damped(int forces) { damped_ = forces; }
+  /// Those by index, 1 for each; valid until the next step.
+  std::span<const char> dampedForces() const { return which_; }
+  void damp(std::span<const char> forces);
+  /// Work of the parts with potential of these forces, as the present step used them [J]: Δt h_d·ū.
+  double dampedWork() const { return dampedWork_; }
+  void dampedWork(double work) { dampedWork_ = work; }
+  /// The same for a step with M̂ from u^A to u^E, evaluated at `e`.
+  void bookDampedWork(const SystemParts& parts, const Evaluation& e, double dt,
+                      const Eigen::VectorXd& uA, const Eigen::VectorXd& uE);
   /// How well the present step resolves the forces.
   const ForceResolution& resolution() const { return resolution_; }
   void resolution(const ForceResolution& r) { resolution_ = r; }
@@ -58,6 +66,8 @@ class ImplicitForces {
   StiffPart stiff_;
   bool unresolved_ = false;
   int damped_ = 0;
+  std::span<const char> which_;
+  double dampedWork_ = 0.0;
   ForceResolution resolution_;
   Eigen::VectorXd change_, work_;
   mutable Eigen::VectorXd acceleration_;

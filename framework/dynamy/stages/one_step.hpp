@@ -100,6 +100,8 @@ struct StepReport {
   /// True: the scheme found no solution of its own equations, and a simpler scheme took the step or
   /// a part of it.
   bool simpler = false;
+  /// Work of forces with potential that the step damped, as it used them [J].
+  double dampedWork = 0.0;
   StepCounts counts{};
   StepWorks works{};
   bool ownStatuses = false;  ///< the scheme gives the statuses of all contacts

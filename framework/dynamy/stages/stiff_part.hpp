@@ -25,10 +25,8 @@ class StiffPart {
                           bool neutral);
   /// The forces found last are resolved, and a neutral rule is to take them.
   bool neutral() const { return found_.neutral(); }
-  /// Number of the forces found last.
-  int unresolved() const {
-    return static_cast<int>(std::count(found_.taken().begin(), found_.taken().end(), 1));
-  }
+  /// By index: 1 for the forces found last.
+  std::span<const char> unresolved() const { return found_.taken(); }
   /// UnresolvedForces::share of the last step that looked for them.
   double share() const { return found_.share(); }
   /// Factorises M̂ with these weights; unresolved forces have weights of their own.
@@ -60,6 +58,10 @@ class StiffPart {
   void addUsedForce(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE,
                     Eigen::VectorXd& h, Eigen::VectorXd& hNonPotential) const {
     stiffness_.addUsedForce(dt, uA, uE, h, hNonPotential);
+  }
+  /// Work of what the step adds to unresolved forces by K [J].
+  double workOfUnresolved(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE) const {
+    return stiffness_.workOfUnresolved(dt, uA, uE);
   }
 
  private:

@@ -36,6 +36,8 @@ struct WeightedStiffness {
   /// h += Δt K (s u^A + a (u^E − u^A)) + b D (u^E − u^A), the last term also to hNonPotential.
   void addUsedForce(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE,
                     Eigen::VectorXd& h, Eigen::VectorXd& hNonPotential) const;
+  /// Work of Δt K (s u^A + a (u^E − u^A)) of unresolved forces in a step [J].
+  double workOfUnresolved(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE) const;
 };
 
 }  // namespace dynamy

@@ -33,7 +33,7 @@ bool DampedForces::begin(MechanicalSystem& s, const State& x, double dt) {
 }
 
 const Evaluation& DampedForces::without(MechanicalSystem& s, const State& x) const {
-  s.implicitForces().damped(static_cast<int>(std::count(withheld_.begin(), withheld_.end(), 1)));
+  s.implicitForces().damp(withheld_);
   return s.evaluate(x, {.ahead = dt_, .withheld = withheld_});
 }
 

@@ -160,6 +160,8 @@ void JointEquations::finish(MechanicalSystem& s) {
   if (!damped_.any()) return;
   h_ = s.slot(0).h, hNonPotential_ = s.slot(0).hNonPotential;
   damped_.addTo(v, xA_->u, h_, hNonPotential_);
+  const Evaluation& e = s.slot(0);
+  s.implicitForces().dampedWork(dt_ * (h_ - e.h - hNonPotential_ + e.hNonPotential).dot(v));
   s.change(0).h = h_, s.change(0).hNonPotential = hNonPotential_;
 }
 

@@ -35,16 +35,12 @@ void EnergyWatch::sample(const StepView& view) {
     return;
   }
   trust.kineticMax = std::max(trust.kineticMax, e.kineticEnd);
-  const double unexplained = e.discretisation + e.joints, elastic = this->elastic(view);
-  if (report_.contacts.impacts == sampledImpacts_) {
-    const double change = unexplained - sampled_;
-    const double damped =
-        damps_ ? std::clamp(-change, 0.0, std::max(0.0, elastic_ - elastic)) : 0.0;
-    trust.dampedLoss += damped, unexplained_ += change + damped;
-  }
-  damps_ = false, elastic_ = elastic;
-  sampled_ = unexplained, sampledImpacts_ = report_.contacts.impacts;
-  const double error = std::abs(unexplained_);
+  const double unexplained = e.discretisation + e.joints;
+  if (report_.contacts.impacts == sampledImpacts_)
+    unexplained_ += unexplained - sampled_, damped_ += sampledDamped_;
+  sampled_ = unexplained, sampledImpacts_ = report_.contacts.impacts, sampledDamped_ = 0.0;
+  trust.dampedLoss = std::max(trust.dampedLoss, damped_);
+  const double error = std::abs(unexplained_ + std::max(0.0, damped_));
   if (error > trust.energyError) trust.energyError = error, trust.energyErrorTime = view.after.t;
   rounding(e);
   const double rise = e.end() - e.start() - e.nonPotential - e.boundaries;
@@ -62,18 +58,20 @@ void EnergyWatch::sample(const StepView& view) {
   if (now.energyGain * trust.gainScale() > trust.energyGain * now.gainScale()) trust = now;
 }
 
-/// V of the forces that may act between bodies, not of fields such as gravity [J].
-double EnergyWatch::elastic(const StepView& view) {
-  const auto& forces = view.model.forces();
-  const auto acts = [](const auto& f) { return f->mayCouple(); };
-  if (view.scheme.choosesSteps() || std::none_of(forces.begin(), forces.end(), acts)) return 0.0;
-  const State& x = view.after;
-  kinematics_.resize(view.model.topology());
-  kinematics_.evaluate(view.model.topology(), x.t, dynamy::view(x.q), dynamy::view(x.u),
-                       dynamy::view(x.memory));
+void EnergyWatch::damped(const StepView& view) {
+  const double change = potential(view, view.after) - potential(view, view.before);
+  sampledDamped_ -= view.report.dampedWork + change;
+}
+
+/// V of the forces that the step damped [J].
+double EnergyWatch::potential(const StepView& view, const State& x) {
+  const Topology& topology = view.model.topology();
+  kinematics_.resize(topology);
+  kinematics_.evaluate(topology, x.t, dynamy::view(x.q), dynamy::view(x.u), dynamy::view(x.memory));
+  const std::span<const char> which = view.system.implicitForces().dampedForces();
   double V = 0.0;
-  for (const auto& f : forces)
-    if (acts(f)) V += f->potentialEnergy(kinematics_);
+  for (std::size_t i = 0; i < which.size(); ++i)
+    if (which[i] != 0) V += view.system.parts().forces[i]->potentialEnergy(kinematics_);
   return V;
 }
 
@@ -99,7 +97,7 @@ void EnergyWatch::rounding(const EnergyReport& e) {
 void EnergyWatch::archive(Archive& a) {
   a.section("energy watch");
   a(sampled_), a(unexplained_), a(sampledImpacts_), a(least_), a(leastOwn_), a(sinceLeast_);
-  a(inertia_), a(moves_), a(damps_), a(elastic_);
+  a(inertia_), a(moves_), a(sampledDamped_), a(damped_);
 }
 
 }  // namespace dynamy

@@ -1,10 +1,10 @@
 /// EnergyWatch: energy that appears or vanishes without a cause, sampled along a run:
 ///
 ///   error       e(t) = |ΔT + ΔV − works + joints|, summed over intervals without an impact,
-///               because some schemes book the loss of an impact in this term alone. What is lost
-///               in intervals in which a step damped forces that it does not resolve, and by which
-///               V of forces between bodies falls there, is counted by itself
-///               (RunTrust::dampedLoss): that is what damping is for. What is lost beyond it is error
+///               because some schemes book the loss of an impact in this term alone. What steps
+///               lose by damping forces h_d that they do not resolve, −(Δt h_d·ū + ΔV_d) (37.4), is
+///               counted by itself in the same intervals (RunTrust::dampedLoss): that is what
+///               damping is for. Where such forces gain, the gain is error
 ///   rise        rise(t) = (T + V) − start − the work of drives and boundaries
 ///   gain        the least of rise(t) and of the energy that the scheme itself brought in, each
 ///               above its lowest value so far. Losses in impacts then do not hide later gains, and
@@ -30,8 +30,8 @@ class EnergyWatch {
   void start(const StepView& initial);
   /// In the present step forces alone give this energy [J].
   void forcesGive(double energy) { sinceLeast_ = std::max(sinceLeast_, energy); }
-  /// The present step damps forces that it does not resolve.
-  void damps() { damps_ = true; }
+  /// Adds what the step lost by damping forces.
+  void damped(const StepView& view);
   /// Compares the energies at the end of the step.
   void sample(const StepView& view);
   void archive(Archive& a);
@@ -39,7 +39,7 @@ class EnergyWatch {
  private:
   bool diverges(const EnergyReport& e, double rise) const;
   void rounding(const EnergyReport& e);
-  double elastic(const StepView& view);
+  double potential(const StepView& view, const State& x);
   EnergyLedger& ledger_;
   RunReport& report_;
   double sampled_ = 0.0, unexplained_ = 0.0;
@@ -47,8 +47,8 @@ class EnergyWatch {
   double least_ = 0.0, leastOwn_ = 0.0;
   double sinceLeast_ = 0.0;  // largest energy that forces gave in a step since then [J]
   long sampledImpacts_ = 0;
-  bool damps_ = false;    // a step since the last sample damped forces
-  double elastic_ = 0.0;  // V of forces between bodies at the last sample [J]
+  // Lost by damping since the last sample, and in all intervals without an impact [J].
+  double sampledDamped_ = 0.0, damped_ = 0.0;
   Kinematics kinematics_;
   double inertia_ = 0.0;  // ½ sᵀM s/t² [J]
   double moves_ = 0.0;    // largest T + |V| + Σ|works| [J]

@@ -62,7 +62,7 @@ struct RunTrust {
   };
   Slowed slowed;
   int damped = 0;  ///< most forces that one step does not resolve and takes at its end
-  /// Potential energy that was lost, without an impact, while steps damped such forces [J].
+  /// Energy that steps without an impact took from such forces by damping them [J].
   double dampedLoss = 0.0;
   /// Error of the energies by rounding [J]; changes below it are not reported (RunWatch).
   double rounding = 0.0;

@@ -43,7 +43,7 @@ void RunWatch::step(const StepView& view) {
   }
   if (const int damped = view.system.implicitForces().damped(); damped > 0) {
     report_.trust.damped = std::max(report_.trust.damped, damped);
-    energy_.damps();
+    if (!view.scheme.choosesSteps()) energy_.damped(view);
   }
   if (!view.scheme.choosesSteps() || view.report.counts.stepped) gaps_.step(view);
   // A run that diverges is not to go on up to the next sample.

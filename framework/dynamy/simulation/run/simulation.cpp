@@ -279,7 +279,7 @@ bool Simulation::endBecause(std::string reason, RunReport::Cause cause) {
 }
 
 void Simulation::archive(Archive& a) {
-  a.section("dynamy checkpoint 18");  // the number counts changes of the layout
+  a.section("dynamy checkpoint 19");  // the number counts changes of the layout
   a(step_), a(*loop_), a(report_), a(observers_);
 }
 
