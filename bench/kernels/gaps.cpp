@@ -25,7 +25,7 @@ namespace {
 using namespace dynamy;
 
 constexpr int kPlacements = 200;
-constexpr double kReach = 0.05, kTouching = -1e-9;  // [m]
+constexpr double kReach = 0.05, kTouching = -1e-12;  // [m]
 
 /// Random numbers, places and bodies.
 class Placements {

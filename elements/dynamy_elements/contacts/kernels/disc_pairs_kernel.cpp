@@ -10,7 +10,7 @@ namespace {
 using Touch = TouchingShape::Kind;
 
 /// Work of two rims, of a rim on a capsule, and on each corner of a polyhedron (bench_gaps).
-constexpr double kRimWork = 120.0, kRimOnCapsule = 45.0, kRimOnCorner = 2.7;
+constexpr double kRimWork = 50.0, kRimOnCapsule = 20.0, kRimOnCorner = 2.7;
 
 class Discs final : public PairKernel {
  public:

@@ -1,14 +1,8 @@
 /// Contact of two round bodies (disc_body.hpp): coins on each other, crossed and parallel
 /// cylinders, tyres, a capsule on a cylinder.
 ///
-/// The separation f(n) = −h_B(−n) − h_A(n) is largest along the normal of a cap, across the axis of
-/// A or B, or between two rims. The first two cases are solved as on polyhedra (disc_arc.hpp).
-/// Between the rims i, j Newton's method finds the largest of f_ij, the separation of two discs,
-///
-///   ∇f_ij = y,   ∇²f_ij = −(H_A + H_B) − f_ij I on the plane across n                (theory 38.2)
-///
-/// beginning with the best of a grid of directions. All features that face along n touch: rims and
-/// four points of them over caps, crossings of rims, rims on sides, sides on sides.
+/// Along the direction of largest separation (disc_separation.hpp) all features that face each other
+/// touch: rims and four points of them over caps, crossings of rims, rims on sides, sides on sides.
 #pragma once
 #include <dynamy_elements/contacts/pairs/disc_on_polyhedron.hpp>
 

@@ -3,7 +3,7 @@
 #include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/pairs/between_discs.hpp>
 #include <dynamy_elements/contacts/pairs/cone_side.hpp>
-#include <dynamy_elements/contacts/pairs/disc_arc.hpp>
+#include <dynamy_elements/contacts/pairs/disc_separation.hpp>
 #include <dynamy_elements/contacts/pairs/segments.hpp>
 #include <limits>
 
@@ -11,201 +11,6 @@ namespace dynamy {
 namespace {
 
 using DiscPart = DiscBody::Part;
-
-/// Number of directions of the grid, on the half of the sphere that faces from A to B.
-constexpr int kGrid = 60;
-constexpr double kGoldenAngle = 2.399963229728653;
-/// Angle to the normal of a cap at which a search beside it begins [rad].
-constexpr double kBesideEdge = 1e-3;
-/// Most steps of Newton's method between two rims.
-constexpr int kDiscSteps = 50;
-/// A step of Newton's method this short is the last: its error is its square times at most the inverse
-/// of the angle to a ridge.
-constexpr double kLastDiscStep = 1e-12;
-/// Sine between two planes or tangents below which their cross product is mostly rounding.
-constexpr double kLeastCross = 1e-8;
-
-/// Directions on the half of the sphere around z, evenly spread on a spiral.
-std::array<Vec3, kGrid> directions() {
-  std::array<Vec3, kGrid> all;
-  for (int k = 0; k < kGrid; ++k) {
-    const double up = (k + 0.5) / kGrid, out = std::sqrt(1.0 - up * up), turn = kGoldenAngle * k;
-    all[static_cast<std::size_t>(k)] = {out * std::cos(turn), out * std::sin(turn), up};
-  }
-  return all;
-}
-
-struct DiscsApart {
-  double f = -kInfinity;
-  Vec3 n = Vec3::UnitZ();
-};
-
-/// Outermost point of a disc along d; its middle for a direction along its axis.
-Vec3 outermost(const DiscBody& D, int rim, const Vec3& d) {
-  const Vec3 v = D.acrossAxis(d);
-  const double s = v.norm();
-  return s > 0.0 ? Vec3(D.middle(rim) + D.radius(rim) * unitAcross(v, D.a)) : D.middle(rim);
-}
-
-/// Search of the direction of largest separation among candidates.
-class DiscSearch {
- public:
-  DiscSearch(const DiscBody& A, const DiscBody& B) : A_(A), B_(B) {}
-
-  /// Caps come first: another direction has to separate by more than `more`.
-  DiscsApart best(double more) {
-    for (const DiscBody* body : {&A_, &B_})
-      if (body->rho > 0.0)
-        for (const double side : {1.0, -1.0})
-          if (!(body->tip && side > 0.0)) take((body == &A_ ? side : -side) * body->a);
-    least_ = best_.f + more;
-    if (A_.half > 0.0) across(A_, B_, 1.0);
-    if (B_.half > 0.0) across(B_, A_, -1.0);
-    rims();
-    return best_;
-  }
-
- private:
-  double f(const Vec3& n) const { return -B_.support(-n) - A_.support(n); }
-  void take(const Vec3& n) {
-    if (const double s = f(n); s > std::max(best_.f, least_)) best_ = {s, n};
-  }
-  /// Directions across the axis of `one`; `sign` +1: a normal n from `one` to `other` is that from
-  /// A to B.
-  void across(const DiscBody& one, const DiscBody& other, double sign) {
-    const Vec3 x = one.cosine() * one.a.unitOrthogonal(), o = one.tip ? one.middle(1) : one.c;
-    const DiscArc arc{other, x, one.a.cross(x), other.c - o, one.sine() * one.a};
-    arc.tops(2.0 * std::numbers::pi, std::max(best_.f, least_),
-             [&](const Vec3& n, double) { take(sign * n); });
-  }
-  void rims() {
-    const Vec3 way = B_.c - A_.c;
-    if (!(way.norm() > 0.0)) return;
-    const Vec3 z = way.normalized(), x = z.unitOrthogonal(), y = z.cross(x);
-    DiscsApart start[2][2];
-    static const std::array<Vec3, kGrid> grid = directions();
-    for (const Vec3& g : grid) {
-      const Vec3 n = g.z() * z + g.x() * x + g.y() * y;
-      DiscsApart& of = start[A_.rimAlong(n)][B_.rimAlong(-n)];
-      if (const double s = f(n); s > of.f) of = {s, n};
-    }
-    for (int i = 0; i < A_.rims(); ++i)
-      for (int j = 0; j < B_.rims(); ++j)
-        if (A_.radius(i) == 0.0 || B_.radius(j) == 0.0)
-          fromPoint(i, j);
-        else if (start[i][j].f > -kInfinity)
-          take(between(i, j, start[i][j].n));
-    besideCap(A_, B_, 1.0), besideCap(B_, A_, -1.0);
-    if (A_.r > 0.0 || B_.r > 0.0) return;
-    for (int i = 0; i < A_.rims(); ++i)
-      for (int j = 0; j < B_.rims(); ++j)
-        if (A_.radius(i) > 0.0 && B_.radius(j) > 0.0) atCrossing(i, j);
-  }
-  /// Rims without tubes touch where both cross the line in which their planes meet. Around it f is
-  /// nearly flat along each rim's normals, so that Newton's method may end elsewhere.
-  void atCrossing(int i, int j) {
-    const Vec3 cross = A_.a.cross(B_.a);
-    const double sine = cross.norm();
-    if (sine < kLeastCross) return;
-    const Vec3 e = cross / sine, oA = A_.middle(i), oB = B_.middle(j), way = oB - oA;
-    // From the middles across the line, and along it to the rims.
-    const double acrossA = way.dot(B_.a) / sine, acrossB = way.dot(A_.a) / sine;
-    const double squareA = A_.rho * A_.rho - acrossA * acrossA,
-                 squareB = B_.rho * B_.rho - acrossB * acrossB;
-    if (!(squareA > 0.0 && squareB > 0.0)) return;
-    const Vec3 toA = acrossA * e.cross(A_.a), toB = acrossB * e.cross(B_.a);
-    const double apart = e.dot(way), alongA = std::sqrt(squareA), alongB = std::sqrt(squareB);
-    double least = kInfinity, sA = 0.0, sB = 0.0;
-    for (const double p : {-alongA, alongA})
-      for (const double q : {-alongB, alongB})
-        if (const double d = std::abs(apart + q - p); d < least) least = d, sA = p, sB = q;
-    BodyCurve a = A_.rim(i, toA + sA * e), b = B_.rim(j, toB + sB * e);
-    const auto normal = [&] {
-      const Vec3 n = a.t.cross(b.t);
-      if (const double s = n.norm(); s > kLeastCross) take(n / s), take(-n / s);
-    };
-    normal();
-    if (toClosest(a, b)) normal();
-  }
-  /// One of the rims is a point (a tip or an end): the nearest point of the other disc.
-  void fromPoint(int i, int j) {
-    const bool onA = A_.radius(i) > 0.0;
-    const DiscBody& disc = onA ? A_ : B_;
-    const Vec3 p = onA ? B_.middle(j) : A_.middle(i), o = disc.middle(onA ? i : j);
-    const Vec3 beside = disc.acrossAxis(p - o);
-    const double out = beside.norm(), rho = disc.radius(onA ? i : j);
-    Vec3 way = p - o - (out > rho ? rho / out : 1.0) * beside;
-    // In the plane of the rim's normals: where the bodies touch the rest is rounding.
-    const Vec3 e = out > 0.0 ? unitAcross(beside, disc.a) : disc.x;
-    way = way.dot(e) * e + way.dot(disc.a) * disc.a;
-    if (way.norm() > 0.0) take((onA ? way : Vec3(-way)).normalized());
-  }
-  /// At a cap f has a maximum or a kink. A search begins beside it, where
-  /// the other body is beyond the rim.
-  void besideCap(const DiscBody& one, const DiscBody& other, double sign) {
-    if (one.rho == 0.0) return;
-    const Vec3 a = one.tip || one.a.dot(other.c - one.c) < 0.0 ? Vec3(-one.a) : one.a;
-    const Vec3 e = one.acrossAxis(outermost(other, other.rimAlong(-a), -a) - one.c);
-    if (!(e.norm() > one.rho)) return;
-    const Vec3 n = sign * (a + kBesideEdge * e.normalized()).normalized();
-    take(between(A_.rimAlong(n), B_.rimAlong(-n), n));
-  }
-  Vec3 between(int i, int j, Vec3 n) const;
-  bool onRidge(int i, int j, const Vec3& n, double within, double f) const;
-
-  const DiscBody &A_, &B_;
-  double least_ = -kInfinity;
-  DiscsApart best_;
-};
-
-/// Derivative by d of the outermost point of a disc along d.
-Mat3 wandering(const DiscBody& D, int rim, const Vec3& d) {
-  const Vec3 v = D.acrossAxis(d);
-  const double s = v.norm();
-  if (!(s > 0.0)) return Mat3::Zero();
-  const Vec3 t = D.a.cross(v) / s;
-  return D.radius(rim) / s * t * t.transpose();
-}
-
-/// Does f have its top at the axis of one of the discs, at an angle to n of less than `within`? It
-/// has a ridge there; the rim of the other disc is over this one then. Caps are candidates anyway.
-bool DiscSearch::onRidge(int i, int j, const Vec3& n, double within, double f) const {
-  const auto top = [&](const DiscBody& one, int k, const DiscBody& other, int l, double sign) {
-    if (one.radius(k) == 0.0) return false;
-    const Vec3 a = n.dot(one.a) < 0.0 ? Vec3(-one.a) : one.a;
-    if ((n - a).norm() > within) return false;
-    const Vec3 way = outermost(other, l, -sign * a) - one.middle(k);
-    return one.acrossAxis(way).norm() < one.radius(k) && sign * a.dot(way) >= f;
-  };
-  return top(A_, i, B_, j, 1.0) || top(B_, j, A_, i, -1.0);
-}
-
-Vec3 DiscSearch::between(int i, int j, Vec3 n) const {
-  const auto y = [&](const Vec3& d) { return Vec3(outermost(B_, j, -d) - outermost(A_, i, d)); };
-  double f = n.dot(y(n));
-  for (int step = 0; step < kDiscSteps; ++step) {
-    Eigen::Matrix<double, 3, 2> T;
-    T.col(0) = n.unitOrthogonal(), T.col(1) = n.cross(T.col(0));
-    Eigen::Matrix2d K = T.transpose() * (wandering(A_, i, n) + wandering(B_, j, -n)) * T;
-    K += f * Eigen::Matrix2d::Identity();
-    // For deep overlap f is no longer concave; the step then goes along the gradient.
-    const bool concave = K(0, 0) > 0.0 && K.determinant() > 0.0;
-    if (!concave) K = K.norm() * Eigen::Matrix2d::Identity();
-    const Vec3 go = T * (K.inverse() * (T.transpose() * y(n)));
-    if (!go.allFinite()) break;
-    double part = std::min(1.0, 0.5 / go.norm());
-    Vec3 next = (n + part * go).normalized();
-    double g = next.dot(y(next));
-    if (!(g >= f) && onRidge(i, j, n, go.norm(), f)) break;
-    // The step is shortened until it separates more, up to rounding.
-    for (; part > 1e-4 && !(g >= f - 1e-15 * std::abs(f)); g = next.dot(y(next)))
-      part *= 0.5, next = (n + part * go).normalized();
-    if (part <= 1e-4) break;
-    n = next, f = g;
-    if (go.norm() < (concave && part == 1.0 ? kLastDiscStep : 1e-15)) break;
-  }
-  return n;
-}
 
 /// First numbers of the contacts of rims with one body.
 struct Numbers {
@@ -367,8 +172,9 @@ class Contacts {
     const int facing = other.rimAlong(-towards);
     const auto take = [&](const BodyCurve& rim, int id) {
       ContactPoint at;
+      // Of parallel axes the sign would be that of rounding.
       if (rimOnSide(one, rim, towards, at))
-        add(id + (one.a.dot(rim.x - rim.c) > 0.0 ? 1 : 0), at, sign);
+        add(id + (one.a.dot(rim.x - rim.c) > kSameFeature * rim.rho ? 1 : 0), at, sign);
     };
     if (part == DiscPart::cap) {
       BodyCurve crossing[2];
@@ -444,7 +250,7 @@ class Contacts {
 int betweenDiscs(const DiscBody& A, const DiscBody& B, double reach, double close, bool rates,
                  DiscContacts& out) {
   const double same = kSameFeature * std::min(A.thickness(), B.thickness());
-  const DiscsApart apart = DiscSearch(A, B).best(4.0 * same);
+  const DiscsApart apart = furthestApart(A, B, 4.0 * same, reach);
   if (apart.f > reach) return 0;
   const int n = Contacts(A, B, apart, same, out).all();
   const bool onA = A.part(apart.n) == DiscPart::cap;
@@ -458,6 +264,8 @@ int betweenDiscs(const DiscBody& A, const DiscBody& B, double reach, double clos
   return n;
 }
 
-double separation(const DiscBody& A, const DiscBody& B) { return DiscSearch(A, B).best(0.0).f; }
+double separation(const DiscBody& A, const DiscBody& B) {
+  return furthestApart(A, B, 0.0, kInfinity).f;
+}
 
 }  // namespace dynamy

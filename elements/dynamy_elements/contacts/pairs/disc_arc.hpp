@@ -59,8 +59,18 @@ struct DiscArc {
       }
     }
   }
+  /// Calls take(n) for a top near this angle [rad], if there is one.
+  template <class Take>
+  void topNear(double angle, Take&& take) const {
+    for (double w = kNear; w < kFar; w *= 4.0) {
+      const double l = angle - w, r = angle + w, sl = slope(l), sr = slope(r);
+      if (sl > 0.0 && sr < 0.0) return take(n(top(l, sl, r, sr)));
+    }
+  }
 
  private:
+  /// Half width of the first arc around an angle that topNear() looks at, and of the last one [rad].
+  static constexpr double kNear = 0.01, kFar = 1.0;
   /// Most steps of a search, which halves the arc at least every second step.
   static constexpr int kSteps = 100;
   /// Parts of a piece that are searched one by one where f may have several maxima.

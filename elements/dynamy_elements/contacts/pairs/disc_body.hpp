@@ -34,7 +34,7 @@ struct DiscBody {
   int rims() const { return half > 0.0 ? 2 : 1; }
   double radius(int rim) const { return tip && rim == 1 ? 0.0 : rho; }  ///< [m]
   /// Length of a cone's side from the rim to the tip [m], and its sin β and cos β.
-  double slant() const { return std::hypot(rho, 2.0 * half); }
+  double slant() const { return std::sqrt(rho * rho + 4.0 * half * half); }
   double sine() const { return tip ? rho / slant() : 0.0; }
   double cosine() const { return tip ? 2.0 * half / slant() : 1.0; }
   /// Sine of the angle from the side to d, positive towards rim 1.
