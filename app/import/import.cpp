@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "import/mesh_file.hpp"
+#include "import/mesh_reader.hpp"
 #include "import/mjcf_reader.hpp"
 #include "import/model_text.hpp"
 #include "import/sdf_reader.hpp"
@@ -27,7 +29,9 @@ struct ImportChoice {
   bool quiet = false;
 };
 
-Machine readMachine(const XmlDocument& document, const ImportOptions& options) {
+Machine readMachine(const std::string& file, const ImportOptions& options) {
+  if (isMeshFile(file)) return readMeshBody(file, options);
+  const XmlDocument document = XmlDocument::read(file);
   const XmlNode& root = document.root();
   if (!options.key.empty() && root.tag != "mujoco")
     throw CLI::ValidationError("--key: only files of MJCF have keyframes");
@@ -36,7 +40,8 @@ Machine readMachine(const XmlDocument& document, const ImportOptions& options) {
   if (root.tag == "sdf") return readSdf(document, options);
   throw ModelError(
       document.diagnostic(root.place, root, "is no machine that can be imported",
-                          "<robot> begins a file of URDF, <mujoco> of MJCF, <sdf> of SDF"));
+                          "<robot> begins a file of URDF, <mujoco> of MJCF, <sdf> of SDF; "
+                          "meshes end with .stl or .obj"));
 }
 
 void requireWithinLimits(const MachineJoint& joint, const std::string& assignment) {
@@ -75,8 +80,7 @@ int import(const ImportChoice& choice) {
   for (const std::string& folder : choice.options.packages)
     if (!std::filesystem::is_directory(folder))
       throw CLI::ValidationError("--package", folder + ": there is no such folder");
-  const XmlDocument document = XmlDocument::read(choice.file);
-  Machine machine = readMachine(document, choice.options);
+  Machine machine = readMachine(choice.file, choice.options);
   simplify(machine);
   startAt(machine, choice.at);
   const std::string source = std::filesystem::path(choice.file).filename().string();
@@ -103,9 +107,11 @@ int import(const ImportChoice& choice) {
 
 void addImport(CLI::App& app, Program& program) {
   auto choice = std::make_shared<ImportChoice>();
-  CLI::App* c =
-      app.add_subcommand("import", "a model of the machine in a file of URDF, MJCF or SDF");
-  c->add_option("FILE", choice->file, "file of URDF, MJCF or SDF")->required()->check(someName());
+  CLI::App* c = app.add_subcommand(
+      "import", "a model of the machine in a file of URDF, MJCF or SDF, or of a mesh");
+  c->add_option("FILE", choice->file, "file of URDF, MJCF or SDF; a closed mesh of STL or OBJ")
+      ->required()
+      ->check(someName());
   c->add_option("-o,--out", choice->out, "model file to write; default: print it")
       ->check(someName());
   c->add_option("--at", choice->at, "value of a joint at the start [rad or m]")
@@ -121,6 +127,17 @@ void addImport(CLI::App& app, Program& program) {
   c->add_option("--package", choice->options.packages,
                 "folder that holds packages, for package:// paths")
       ->type_name("FOLDER");
+  c->add_option("--density", choice->options.density, "mesh: density of the body [kg/m^3]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  c->add_option("--scale", choice->options.scale,
+                "mesh: metres of a unit of the file; 0.001 for mm")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  c->add_option("--pieces", choice->options.pieces,
+                "mesh: most convex pieces by which the body touches")
+      ->check(CLI::Range(1, 200))
+      ->capture_default_str();
   c->add_flag("--quiet", choice->quiet, "do not list what has no equivalent");
   c->callback([choice, &program] { program.exitCode = import(*choice); });
 }

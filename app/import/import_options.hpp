@@ -11,6 +11,9 @@ struct ImportOptions {
   bool selfContact = false;  ///< URDF: links that are no neighbours may touch
   bool drives = false;       ///< URDF: joints get an input for their force
   std::string key;           ///< MJCF: the keyframe that is the start; "": none
+  double density = 1000.0;   ///< meshes: of the body [kg/m³]
+  double scale = 1.0;        ///< meshes: metres of a unit of the file
+  int pieces = 32;           ///< meshes: most convex pieces
   std::vector<std::string> packages;  ///< folders in which package:// paths are looked for
 };
 

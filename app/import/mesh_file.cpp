@@ -146,9 +146,14 @@ std::string endingOf(const std::filesystem::path& file) {
 
 }  // namespace
 
+bool isMeshFile(const std::filesystem::path& file) {
+  const std::string ending = endingOf(file);
+  return ending == ".stl" || ending == ".obj";
+}
+
 TriangleMesh readMesh(const std::filesystem::path& file) {
   const std::string ending = endingOf(file);
-  if (ending != ".stl" && ending != ".obj")
+  if (!isMeshFile(file))
     throw std::runtime_error(fmt::format("files {} are not read, STL and OBJ are", ending));
   if (!std::filesystem::is_regular_file(file)) throw std::runtime_error("there is no such file");
   const std::string bytes = readWholeFile(file);

@@ -15,6 +15,9 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;
 };
 
+/// Is the file one of a mesh, by its ending?
+bool isMeshFile(const std::filesystem::path& file);
+
 /// \throws std::runtime_error with the reason if the file is missing, of another format or damaged
 TriangleMesh readMesh(const std::filesystem::path& file);
 

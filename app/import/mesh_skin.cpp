@@ -40,12 +40,18 @@ bool flat(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-std::vector<Vec3> extremePoints(const std::vector<Vec3>& points, double& inside) {
-  constexpr int kKept = 162, kTested = 2562;
+std::vector<Vec3> outermostPoints(const std::vector<Vec3>& points) {
+  static const std::vector<Vec3> all = directions(162);
   std::set<std::size_t> kept;
-  for (const Vec3& n : directions(kKept)) kept.insert(farthest(points, n));
+  for (const Vec3& n : all) kept.insert(farthest(points, n));
   std::vector<Vec3> out;
   for (const std::size_t i : kept) out.push_back(points[i]);
+  return out;
+}
+
+std::vector<Vec3> extremePoints(const std::vector<Vec3>& points, double& inside) {
+  constexpr int kTested = 2562;
+  std::vector<Vec3> out = outermostPoints(points);
   inside = 0.0;
   for (const Vec3& n : directions(kTested))
     inside = std::max(inside, n.dot(points[farthest(points, n)] - out[farthest(out, n)]));

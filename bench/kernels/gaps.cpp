@@ -8,11 +8,11 @@
 #include <chrono>
 #include <cstdlib>
 #include <dynamy/core/rotation.hpp>
+#include <dynamy/system/convex_hull.hpp>
 #include <dynamy_elements/contacts/pairs/between_discs.hpp>
 #include <dynamy_elements/contacts/pairs/box_contact.hpp>
 #include <dynamy_elements/contacts/pairs/disc_on_polyhedron.hpp>
 #include <dynamy_elements/contacts/pairs/smooth_contact.hpp>
-#include <dynamy_elements/contacts/shapes/convex_hull.hpp>
 #include <iomanip>
 #include <iostream>
 #include <numbers>

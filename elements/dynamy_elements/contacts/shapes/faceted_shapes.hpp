@@ -1,7 +1,7 @@
 /// Shapes with plane faces: convex polyhedra, triangle meshes and height fields. Their geometry
 /// lists three points per triangle, counterclockwise seen from outside.
 #pragma once
-#include <dynamy_elements/contacts/shapes/convex_hull.hpp>
+#include <dynamy/system/convex_hull.hpp>
 
 namespace dynamy {
 

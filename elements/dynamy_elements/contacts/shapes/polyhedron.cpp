@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy_elements/contacts/shapes/convex_hull.hpp>
+#include <dynamy/system/convex_hull.hpp>
 #include <dynamy_elements/contacts/shapes/polyhedron.hpp>
 #include <limits>
 #include <map>

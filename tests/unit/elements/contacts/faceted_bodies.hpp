@@ -1,8 +1,8 @@
 /// Bodies of triangles that move, and what their contacts are compared with: distances over all
 /// pairs of vertices, faces and edges, rates by differences.
 #pragma once
+#include <dynamy/system/convex_hull.hpp>
 #include <dynamy_elements/contacts/pairs/polyhedron_contact.hpp>
-#include <dynamy_elements/contacts/shapes/convex_hull.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,27 @@
+/// Convex pieces of the solid that closed triangles enclose.
+///
+/// Contacts between convex bodies are exact, and a body may have many of them. The solid is cut by
+/// planes across the axes of its file, again and again the piece whose hull exceeds it most, where the
+/// hulls of the two parts exceed them least. Planes go through corners of the mesh, so that a body of
+/// blocks along the axes is met exactly, and at quarters. A piece is the hull of the solid within a
+/// box: of the triangles that are clipped to it, and of the box's corners inside of the solid.
+///
+/// Rejected: hulls of groups of triangles, which need not contain what is inside of the solid.
+#pragma once
+#include <vector>
+
+#include "import/mesh_file.hpp"
+
+namespace dynamy::app {
+
+struct ConvexPieces {
+  std::vector<std::vector<Vec3>> corners;  ///< of each piece [m]
+  double volume = 0.0;                     ///< of the solid [m³]
+  double excess = 0.0;                     ///< volume of all pieces beyond that, over it
+};
+
+/// \pre `mesh` is closed and encloses a volume. At most `most` pieces, fewer where they exceed the
+/// solid by less than 1 % together.
+ConvexPieces convexPieces(const TriangleMesh& mesh, int most);
+
+}  // namespace dynamy::app
