@@ -10,7 +10,7 @@ using Triangle = std::array<int, 3>;
 
 /// Triangles of the convex hull, counterclockwise seen from outside. Points inside, or nearer to a
 /// face than 1e-12 of the hull's extent, belong to no triangle. Empty if all points lie in one
-/// plane. The cost is O(n²).
+/// plane. The cost is O(n²) at most.
 std::vector<Triangle> convexHull(const std::vector<Vec3>& points);
 
 /// Mass properties of the solid that closed triangles enclose: sums over the tetrahedra that the
