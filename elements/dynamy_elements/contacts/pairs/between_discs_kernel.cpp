@@ -17,6 +17,8 @@ struct Numbers {
   int rims, points, onSide;  ///< of the other body's rims: over the cap, its points, on the side
 };
 constexpr Numbers kOnA{0, 2, kBOnSide}, kOnB{10, 12, kAOnSide};
+/// Sine between a direction and a rim's tangent below which the place is its outermost one.
+constexpr double kStationary = 1e-9;
 
 /// All contacts along the direction of largest separation.
 class Contacts {
@@ -201,7 +203,11 @@ class Contacts {
                  ContactPoint& at) const {
     if (one.tip) {
       double s = 0.0;
-      return circleOnSide(one, rim, s, at) && onLine(one, s);
+      // Deep inside a slim cone the rim is past its axis: the line of the side that faces it is behind.
+      const bool past = one.acrossAxis(rim.x - one.c).dot(one.acrossAxis(towards)) < 0.0 &&
+                        std::abs(rim.t.dot(towards)) < kStationary;
+      return (past ? placeOnSide(one, rim, -1.0, s, at) : circleOnSide(one, rim, s, at)) &&
+             onLine(one, s);
     }
     BodyCurve a = one.axis(), b = rim;
     a.go(a.t.dot(b.x - a.x));

@@ -128,8 +128,7 @@ class DiscSearch {
       before = best_.f;
       return better && isLargest(same_);
     };
-    const bool ofA = A_.half > 0.0 && std::abs(A_.fromSide(n))<kNearSide, ofB = B_.half> 0.0 &&
-                     std::abs(B_.fromSide(-n)) < kNearSide;
+    const bool ofA = isBeside(A_, n), ofB = isBeside(B_, -n);
     if (ofA && ofB && !A_.tip && !B_.tip) acrossBoth(n);
     if (ofA && ofB && proven()) return true;
     if (ofA) nearSide(A_, B_, 1.0, n);
@@ -146,6 +145,10 @@ class DiscSearch {
     if (proven()) return true;
     besideCap(A_, B_, 1.0), besideCap(B_, A_, -1.0);
     return proven();
+  }
+  /// May the side of `one` face d?
+  static bool isBeside(const DiscBody& one, const Vec3& d) {
+    return one.half > 0.0 && std::abs(one.fromSide(d)) < kNearSide;
   }
   /// The normal of both sides near n.
   void acrossBoth(const Vec3& n) {
