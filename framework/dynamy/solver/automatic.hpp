@@ -40,8 +40,9 @@ class Automatic final : public InclusionSolver {
 
  private:
   SolveReport chain(const InclusionProblem& problem, Vec Lambda);
-  /// Forgets a start from which Newton's method has failed, and solves from Λ = 0, for many contacts.
-  SolveReport afresh(const InclusionProblem& problem, Vec Lambda, SolveReport report);
+  /// Forgets a start from which Newton's method has failed, and solves from Λ = 0.
+  SolveReport afresh(const InclusionProblem& problem, Vec Lambda, SolveReport report,
+                     const NewtonLimits& most);
   /// Runs the stages one after the other from a start that is worth improving. In: `report` holds
   /// the residuals of the start.
   SolveReport rungs(const InclusionProblem& problem, Vec Lambda, SolveReport report);
