@@ -2,10 +2,10 @@
 /// them: the operator M̂ (ImplicitMass), the forces that the step used, and whether an explicit step
 /// would be stable.
 #pragma once
-#include <algorithm>
 #include <dynamy/stages/implicit_mass.hpp>
 #include <dynamy/stages/unresolved_forces.hpp>
 #include <dynamy/system/state.hpp>
+#include <span>
 
 namespace dynamy {
 

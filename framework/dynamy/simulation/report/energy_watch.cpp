@@ -17,6 +17,7 @@ constexpr double kFewSteps = 64.0;    ///< added to the number of steps, for the
 
 void EnergyWatch::start(const StepView& initial) {
   const Model& model = initial.model;
+  kinematics_.resize(model.topology());
   const double until = model.simulation.until - initial.after.t;
   const Eigen::Index nu = initial.after.u.size();
   if (!(until > 0.0) || nu == 0) return;
@@ -66,7 +67,6 @@ void EnergyWatch::damped(const StepView& view) {
 /// V of the forces that the step damped [J].
 double EnergyWatch::potential(const StepView& view, const State& x) {
   const Topology& topology = view.model.topology();
-  kinematics_.resize(topology);
   kinematics_.evaluate(topology, x.t, dynamy::view(x.q), dynamy::view(x.u), dynamy::view(x.memory));
   const std::span<const char> which = view.system.implicitForces().dampedForces();
   double V = 0.0;

@@ -6,8 +6,9 @@
 namespace dynamy {
 namespace {
 
-/// Growth of |u|² since the fastest sample that is worth another one.
-constexpr double kMuchFaster = 1e6;
+/// Growth of T since its largest sample that is worth another one: what bursts apart at a start, or
+/// diverges, has lost its energy again at the next of the regular ones, or ends the run before.
+constexpr double kFaster = 1.2;
 
 constexpr double kSamples = 256.0;  ///< samples of the energy in a run
 /// After the first kFirst steps only three in a row of every kEvery are examined, so that watching
@@ -46,16 +47,23 @@ void RunWatch::step(const StepView& view) {
     if (!view.scheme.choosesSteps()) energy_.damped(view);
   }
   if (!view.scheme.choosesSteps() || view.report.counts.stepped) gaps_.step(view);
-  // A run that diverges is not to go on up to the next sample.
-  if (view.after.t >= nextSample_ || view.after.u.squaredNorm() > kMuchFaster * fastest_)
-    sample(view);
+  if (view.after.t >= nextSample_) return sample(view);
+  if (const double T = kineticEnergy(view); !(T <= kFaster * fastest_)) {
+    fastest_ = T;
+    energy_.sample(view);
+  }
+}
+
+/// T with the masses of the last evaluation [J].
+double RunWatch::kineticEnergy(const StepView& view) {
+  return view.system.slot(0).mass.kineticEnergy(dynamy::view(view.after.u));
 }
 
 void RunWatch::sample(const StepView& view) {
   if (view.after.t == lastSample_) return;
   lastSample_ = view.after.t;
   nextSample_ = view.after.t + sampleEvery_;
-  fastest_ = std::max(fastest_, view.after.u.squaredNorm());
+  fastest_ = std::max(fastest_, kineticEnergy(view));
   energy_.sample(view);
   gaps_.sample(view);
 }

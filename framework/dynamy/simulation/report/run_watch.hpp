@@ -2,8 +2,8 @@
 /// of them cannot and why. All limits are ratios, so that none depends on the units or the size of
 /// a scene:
 ///
-///   energy      error, rise and gain over the largest T, sampled at some hundred instants:
-///               EnergyWatch
+///   energy      error, rise and gain over the largest T, sampled at some hundred instants, and
+///               where T has grown by a fifth: EnergyWatch
 ///   overlap     penetration over the scene's length, and over the distance that the fastest frame
 ///               or contact moves in a step, which bounds it for a scheme on velocity level: GapWatch
 ///   joints      the worst position error over the scene's length, at the same instants as the
@@ -33,10 +33,11 @@ class RunWatch final : public Observer {
 
  private:
   void sample(const StepView& view);
+  static double kineticEnergy(const StepView& view);
   double length_;  // of the scene [m]
   RunReport& report_;
   EnergyWatch energy_;
-  double fastest_ = 0.0;  // largest |u|² of the samples
+  double fastest_ = 0.0;  // largest T of the samples [J]
   GapWatch gaps_;
   ResolutionWatch resolution_;
   TravelWatch travel_;
