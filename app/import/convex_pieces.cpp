@@ -5,6 +5,7 @@
 #include <dynamy/core/constants.hpp>
 #include <dynamy/system/convex_hull.hpp>
 #include <limits>
+#include <set>
 #include <tuple>
 
 #include "import/mesh_skin.hpp"
@@ -16,16 +17,16 @@ constexpr int kColumns = 256;       ///< along x and y, of the volume within a b
 constexpr int kMostCorners = 8;     ///< planes across an axis that go through corners
 constexpr double kAtBorder = 0.02;  ///< part of a box at its ends in which it is not cut
 constexpr double kEnough = 0.01;    ///< excess of all pieces over the volume
-constexpr double kLeast = 1e-5;     ///< volume of a piece over that of the solid
+constexpr double kBeside = 1e-7;    ///< of the way from a corner to the middle of its box
+constexpr double kLeast = 1e-9;     ///< volume of a piece over that of the solid
+constexpr int kMostOfPiece = 64;    ///< corners of a piece, up to which it has all of its hull
 /// Share of the difference in volume of two parts that counts like excess: of equal cuts the more
 /// equal one is taken.
 constexpr double kUneven = 1e-3;
 
 using Polygon = std::vector<Vec3>;
 
-struct Box {
-  Vec3 low, high;
-};
+using Box = Eigen::AlignedBox3d;
 
 /// Part of a convex polygon with x_axis ≤ at, or ≥ at for `above`.
 Polygon clipped(const Polygon& p, int axis, double at, bool above) {
@@ -46,7 +47,7 @@ Polygon clipped(const Polygon& p, int axis, double at, bool above) {
 class Columns {
  public:
   Columns(const TriangleMesh& mesh, const Box& box)
-      : low_(box.low), width_((box.high - box.low) / kColumns) {
+      : low_(box.min()), width_(box.sizes() / kColumns) {
     crossings_.resize(kColumns * kColumns);
     for (const auto& t : mesh.triangles) add(mesh, t);
     for (auto& c : crossings_) std::sort(c.begin(), c.end());
@@ -97,20 +98,20 @@ class Columns {
   }
   double overlap(int axis, int i, const Box& box) const {
     const double from = low_[axis] + i * width_[axis];
-    return std::min(from + width_[axis], box.high[axis]) - std::max(from, box.low[axis]);
+    return std::min(from + width_[axis], box.max()[axis]) - std::max(from, box.min()[axis]);
   }
   double length(int i, int j, const Box& box) const {
     const std::vector<double>& z = crossings_[at(i * kColumns + j)];
     double sum = 0.0;
     for (std::size_t k = 0; k + 1 < z.size(); k += 2)
-      sum += std::max(0.0, std::min(z[k + 1], box.high.z()) - std::max(z[k], box.low.z()));
+      sum += std::max(0.0, std::min(z[k + 1], box.max().z()) - std::max(z[k], box.min().z()));
     return sum;
   }
   Vec3 low_, width_;
   std::vector<std::vector<double>> crossings_;
 };
 
-/// Is p inside of the mesh? By the solid angle of all triangles [van Oosterom 1983].
+/// Is p inside of the mesh? By the solid angle of all triangles [van Oosterom, Strackee 1983].
 bool isInside(const TriangleMesh& mesh, const Vec3& p) {
   double sum = 0.0;
   for (const auto& t : mesh.triangles) {
@@ -127,7 +128,7 @@ bool isInside(const TriangleMesh& mesh, const Vec3& p) {
 struct Piece {
   Box box;
   std::vector<Polygon> surface;
-  std::vector<Vec3> corners;  ///< of the hull
+  std::vector<Vec3> points;  ///< corners of the surface and of the box, which the hull is of
   double volume = 0.0, hull = 0.0;
   double excess() const { return std::max(0.0, hull - volume); }
 };
@@ -135,7 +136,7 @@ struct Piece {
 class Cutter {
  public:
   Cutter(const TriangleMesh& mesh, double volume)
-      : mesh_(mesh), volume_(volume), box_(boxOf(mesh)), columns_(mesh, box_) {
+      : mesh_(mesh), volume_(volume), box_(extentOf(mesh)), columns_(mesh, box_) {
     scale_ = volume / columns_.within(box_);
   }
   std::vector<Piece> pieces(int most) {
@@ -158,30 +159,24 @@ class Cutter {
   }
 
  private:
-  static Box boxOf(const TriangleMesh& mesh) {
-    Box out{mesh.points.front(), mesh.points.front()};
-    for (const Vec3& p : mesh.points)
-      out.low = out.low.cwiseMin(p), out.high = out.high.cwiseMax(p);
-    return out;
-  }
   Piece made(const Box& box, std::vector<Polygon> surface) const {
     Piece out{box, std::move(surface), {}, 0.0, 0.0};
-    std::vector<Vec3> points;
+    std::vector<Vec3>& points = out.points;
     for (const Polygon& p : out.surface) points.insert(points.end(), p.begin(), p.end());
     const auto key = [](const Vec3& v) { return std::tuple(v.x(), v.y(), v.z()); };
     std::sort(points.begin(), points.end(),
               [&](const Vec3& a, const Vec3& b) { return key(a) < key(b); });
     points.erase(std::unique(points.begin(), points.end()), points.end());
+    // A plane through a place of the surface may put a corner of the box on it: whether the solid
+    // reaches that corner is seen beside it, inside of the box.
     for (int k = 0; k < 8; ++k) {
-      const Vec3 corner((k & 1) != 0 ? box.high.x() : box.low.x(),
-                        (k & 2) != 0 ? box.high.y() : box.low.y(),
-                        (k & 4) != 0 ? box.high.z() : box.low.z());
-      if (isInside(mesh_, corner)) points.push_back(corner);
+      const Vec3 corner = box.corner(static_cast<Box::CornerType>(k));
+      if (isInside(mesh_, corner + kBeside * (box.center() - corner))) points.push_back(corner);
     }
     out.volume = scale_ * columns_.within(box);
     if (points.size() < 4) return out;
-    out.corners = outermostPoints(points);
-    out.hull = enclosed(out.corners, convexHull(out.corners)).volume;
+    const std::vector<Vec3> outermost = outermostPoints(points);
+    out.hull = enclosed(outermost, convexHull(outermost)).volume;
     return out;
   }
   std::pair<Piece, Piece> cut(const Piece& p, int axis, double at) const {
@@ -199,7 +194,7 @@ class Cutter {
           (up ? above : below).push_back(std::move(part));
     }
     Box low = p.box, high = p.box;
-    low.high[axis] = high.low[axis] = at;
+    low.max()[axis] = high.min()[axis] = at;
     return {made(low, std::move(below)), made(high, std::move(above))};
   }
   std::pair<Piece, Piece> best(const Piece& p) const {
@@ -216,7 +211,8 @@ class Cutter {
   }
   /// Where planes across an axis may cut a piece.
   static std::vector<double> places(const Piece& p, int axis) {
-    const double low = p.box.low[axis], high = p.box.high[axis], border = kAtBorder * (high - low);
+    const double low = p.box.min()[axis], high = p.box.max()[axis],
+                 border = kAtBorder * (high - low);
     std::vector<double> corners, out;
     for (const Polygon& polygon : p.surface)
       for (const Vec3& v : polygon)
@@ -237,6 +233,14 @@ class Cutter {
   Columns columns_;
 };
 
+std::vector<Vec3> hullCorners(const std::vector<Vec3>& points) {
+  std::set<int> used;
+  for (const Triangle& t : convexHull(points)) used.insert(t.begin(), t.end());
+  std::vector<Vec3> out;
+  for (const int i : used) out.push_back(points[at(i)]);
+  return out;
+}
+
 }  // namespace
 
 ConvexPieces convexPieces(const TriangleMesh& mesh, int most) {
@@ -245,8 +249,12 @@ ConvexPieces convexPieces(const TriangleMesh& mesh, int most) {
   double all = 0.0;
   for (Piece& p : Cutter(mesh, out.volume).pieces(most)) {
     if (!(p.hull > kLeast * out.volume)) continue;
-    all += p.hull;
-    out.corners.push_back(std::move(p.corners));
+    double inside = 0.0;
+    std::vector<Vec3> corners = hullCorners(p.points);
+    if (static_cast<int>(corners.size()) > kMostOfPiece) corners = extremePoints(p.points, inside);
+    all += enclosed(corners, convexHull(corners)).volume;
+    out.inside = std::max(out.inside, inside);
+    out.corners.push_back(std::move(corners));
   }
   out.excess = all / out.volume - 1.0;
   return out;

@@ -6,6 +6,8 @@
 /// blocks along the axes is met exactly, and at quarters. A piece is the hull of the solid within a
 /// box: of the triangles that are clipped to it, and of the box's corners inside of the solid.
 ///
+/// Pieces of many corners keep the outermost ones in 168 directions.
+///
 /// Rejected: hulls of groups of triangles, which need not contain what is inside of the solid.
 #pragma once
 #include <vector>
@@ -17,7 +19,9 @@ namespace dynamy::app {
 struct ConvexPieces {
   std::vector<std::vector<Vec3>> corners;  ///< of each piece [m]
   double volume = 0.0;                     ///< of the solid [m³]
-  double excess = 0.0;                     ///< volume of all pieces beyond that, over it
+  double excess = 0.0;  ///< volume of all pieces less that of the solid, over the latter
+  double inside =
+      0.0;  ///< at most by this a piece is inside of the hull of its part of the solid [m]
 };
 
 /// \pre `mesh` is closed and encloses a volume. At most `most` pieces, fewer where they exceed the

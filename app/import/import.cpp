@@ -44,6 +44,17 @@ Machine readMachine(const std::string& file, const ImportOptions& options) {
                           "meshes end with .stl or .obj"));
 }
 
+/// Options that say nothing about the file are errors, as a wrong value is.
+void refuseOthers(const CLI::App& command, bool mesh) {
+  for (const char* option : {"--density", "--scale", "--pieces"})
+    if (!mesh && command.count(option) > 0)
+      throw CLI::ValidationError(option, "is for files of meshes, which end with .stl or .obj");
+  for (const char* option :
+       {"--at", "--free-base", "--self-contact", "--drives", "--key", "--package"})
+    if (mesh && command.count(option) > 0)
+      throw CLI::ValidationError(option, "is for machines: a mesh is one body");
+}
+
 void requireWithinLimits(const MachineJoint& joint, const std::string& assignment) {
   const double low = joint.lower.value_or(-HUGE_VAL), high = joint.upper.value_or(HUGE_VAL);
   if (low <= joint.start && joint.start <= high) return;
@@ -139,7 +150,10 @@ void addImport(CLI::App& app, Program& program) {
       ->check(CLI::Range(1, 200))
       ->capture_default_str();
   c->add_flag("--quiet", choice->quiet, "do not list what has no equivalent");
-  c->callback([choice, &program] { program.exitCode = import(*choice); });
+  c->callback([choice, c, &program] {
+    refuseOthers(*c, isMeshFile(choice->file));
+    program.exitCode = import(*choice);
+  });
 }
 
 }  // namespace dynamy::app

@@ -192,6 +192,13 @@ Inertia enclosedInertia(const TriangleMesh& mesh) {
   return out;
 }
 
+Eigen::AlignedBox3d extentOf(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d out;
+  for (const auto& t : mesh.triangles)
+    for (const int i : t) out.extend(mesh.points[static_cast<std::size_t>(i)]);
+  return out;
+}
+
 bool closed(const TriangleMesh& mesh) {
   std::map<std::pair<int, int>, int> runs;  // along an edge, minus those back
   for (const auto& t : mesh.triangles)

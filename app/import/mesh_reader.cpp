@@ -29,12 +29,6 @@ void turnOutwards(TriangleMesh& mesh) {
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
 }
 
-double extentOf(const TriangleMesh& mesh) {
-  Vec3 low = mesh.points.front(), high = low;
-  for (const Vec3& p : mesh.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  return (high - low).maxCoeff();
-}
-
 }  // namespace
 
 Machine readMeshBody(const std::string& file, const ImportOptions& options) {
@@ -52,14 +46,13 @@ Machine readMeshBody(const std::string& file, const ImportOptions& options) {
   Link body;
   body.name = out.name, body.free = true;
   body.inertia = enclosedInertia(mesh);
-  const double size = extentOf(mesh);
+  const Eigen::AlignedBox3d extent = extentOf(mesh);
+  const double size = extent.sizes().maxCoeff();
   if (!(body.inertia.mass > 1e-9 * size * size * size))
     throw ModelError(file + ": the triangles enclose no volume");
   const ConvexPieces pieces = convexPieces(mesh, options.pieces);
   body.inertia.mass *= options.density, body.inertia.J *= options.density;
-  double low = mesh.points.front().z();
-  for (const Vec3& p : mesh.points) low = std::min(low, p.z());
-  body.pose.r.z() = -low;
+  body.pose.r.z() = -extent.min().z();
   for (const std::vector<Vec3>& corners : pieces.corners) {
     Skin skin;
     skin.kind = Skin::Kind::hull, skin.points = corners, skin.mu = kFriction;
@@ -67,9 +60,13 @@ Machine readMeshBody(const std::string& file, const ImportOptions& options) {
   }
   say(fmt::format("is {:.3g} m long, with a mass of {:.4g} kg for {:g} kg/m^3", size,
                   body.inertia.mass, options.density));
-  say(fmt::format("touches by {} convex piece{}, {:.2g} % larger than its volume",
-                  pieces.corners.size(), pieces.corners.size() == 1 ? "" : "s",
-                  100.0 * std::max(0.0, pieces.excess)));
+  const std::size_t n = pieces.corners.size();
+  say(fmt::format("touches by {} convex piece{}, together {:.1f} % {} than its volume; {}", n,
+                  n == 1 ? "" : "s", 100.0 * std::abs(pieces.excess),
+                  pieces.excess < 0.0 ? "smaller" : "larger",
+                  pieces.inside > 1e-9 * size
+                      ? fmt::format("their faces are at most {:.2g} m inside of it", pieces.inside)
+                      : "they contain it"));
   out.links.push_back(std::move(body));
   Skin floor;
   floor.kind = Skin::Kind::plane, floor.mu = kFriction;

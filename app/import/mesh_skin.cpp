@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <dynamy/system/convex_hull.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -50,11 +51,12 @@ std::vector<Vec3> outermostPoints(const std::vector<Vec3>& points) {
 }
 
 std::vector<Vec3> extremePoints(const std::vector<Vec3>& points, double& inside) {
-  constexpr int kTested = 2562;
   std::vector<Vec3> out = outermostPoints(points);
   inside = 0.0;
-  for (const Vec3& n : directions(kTested))
-    inside = std::max(inside, n.dot(points[farthest(points, n)] - out[farthest(out, n)]));
+  for (const Triangle& f : convexHull(out)) {
+    const Vec3 &a = out[at(f[0])], n = (out[at(f[1])] - a).cross(out[at(f[2])] - a).normalized();
+    for (const Vec3& p : points) inside = std::max(inside, n.dot(p - a));
+  }
   return out;
 }
 

@@ -12,8 +12,7 @@ namespace dynamy::app {
 /// The outermost of `points` in 168 directions.
 std::vector<Vec3> outermostPoints(const std::vector<Vec3>& points);
 
-/// The extreme points of `points` in many directions, and how far these lie inside of the hull of
-/// all of them at most [m].
+/// The same, and how far others lie outside of a face of their hull at most [m].
 std::vector<Vec3> extremePoints(const std::vector<Vec3>& points, double& inside);
 
 class MeshSkins {
