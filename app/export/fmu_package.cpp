@@ -9,6 +9,7 @@
 #include <dynamy/io/xml/xml.hpp>
 #include <dynamy/simulation/report/signal_sampler.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
+#include <functional>
 #include <set>
 
 #include "export/fmu_description.hpp"
@@ -39,40 +40,30 @@ std::string identifierOf(const fs::path& model) {
   return out;
 }
 
-/// The files that the elements of a model file name in an attribute `file`: tables, meshes.
-void collectNamed(const XmlNode& node, const fs::path& folder, std::set<fs::path>& files) {
+/// A file of the model with those that it includes and those that elements name; absolute. A library
+/// is among them if the model names it by its path.
+void collectFiles(const fs::path& model, const PluginLoader& plugins, std::set<fs::path>& files) {
+  if (!files.insert(model).second) return;
+  const XmlDocument document = XmlDocument::read(model);
+  const fs::path folder = model.parent_path();
   std::error_code error;
-  if (const XmlAttribute* a = node.attribute("file"); a != nullptr && !a->value.empty())
-    if (const fs::path file = folder / a->value; fs::is_regular_file(file, error))
-      files.insert(fs::absolute(file).lexically_normal());
-  for (const XmlNode& child : node.children) collectNamed(child, folder, files);
-}
-
-bool isLibrary(const fs::path& file) { return file.extension() == ".so"; }
-
-/// The model file, the files that it includes and those that elements name; absolute. `read`: what
-/// the loader has looked at. A library is among them if the model names it by its path.
-std::set<fs::path> filesOf(const fs::path& model, const std::vector<fs::path>& read,
-                           const PluginLoader& plugins) {
-  std::set<fs::path> out;
-  std::error_code error;
-  for (const fs::path& one : read) {
-    const fs::path file = fs::absolute(one).lexically_normal();
-    if (!isLibrary(file) && fs::is_regular_file(file, error)) out.insert(file);
-  }
-  out.insert(fs::absolute(model).lexically_normal());
-  for (const fs::path& file : std::set<fs::path>(out)) {
-    const XmlDocument document = XmlDocument::read(file);
-    collectNamed(document.root(), file.parent_path(), out);
-    for (const XmlNode& node : document.root().children) {
-      const XmlAttribute* library = node.tag == "plugin" ? node.attribute("library") : nullptr;
-      if (library == nullptr || library->value.find('/') == std::string::npos) continue;
-      for (const PluginLoader::Loaded& l : plugins.loaded())
-        if (fs::equivalent(l.file, file.parent_path() / library->value, error))
-          out.insert(fs::absolute(file.parent_path() / library->value).lexically_normal());
-    }
-  }
-  return out;
+  const std::function<void(const XmlNode&)> visit = [&](const XmlNode& node) {
+    for (const XmlNode& child : node.children) visit(child);
+    if (const XmlAttribute* a = node.attribute("file"); a != nullptr && !a->value.empty())
+      if (const fs::path file = (folder / a->value).lexically_normal();
+          fs::is_regular_file(file, error)) {
+        if (node.tag == "include")
+          collectFiles(file, plugins, files);
+        else
+          files.insert(file);
+      }
+    const XmlAttribute* library = node.tag == "plugin" ? node.attribute("library") : nullptr;
+    if (library == nullptr || library->value.find('/') == std::string::npos) return;
+    for (const PluginLoader::Loaded& l : plugins.loaded())
+      if (fs::equivalent(l.file, folder / library->value, error))
+        files.insert((folder / library->value).lexically_normal());
+  };
+  visit(document.root());
 }
 
 /// The deepest folder that holds all these files.
@@ -142,11 +133,10 @@ FmuHead headOf(const Model& model, const std::string& identifier) {
 }  // namespace
 
 FmuResult fmuPackage(Program& program, const FmuTask& task) {
-  std::vector<fs::path> read;
   std::map<std::string, double> parameters;
   LoadOptions options;
   for (const std::string& s : task.set) options.set.push_back(assignment(s));
-  options.files = &read, options.parameters = &parameters;
+  options.parameters = &parameters;
   for (const std::string& signal : task.signals)
     if (!signal.ends_with('*')) options.signals.push_back(signal);
   Model model = loadModel(task.model, program.registry, program.plugins, options);
@@ -155,7 +145,8 @@ FmuResult fmuPackage(Program& program, const FmuTask& task) {
   out.identifier = identifierOf(task.model);
 
   // The model with its files, as they lie to each other.
-  const std::set<fs::path> files = filesOf(task.model, read, program.plugins);
+  std::set<fs::path> files;
+  collectFiles(fs::absolute(task.model).lexically_normal(), program.plugins, files);
   const fs::path folder = commonFolder(files);
   for (const fs::path& file : files)
     out.zip.addFile("resources/model/" + file.lexically_relative(folder).generic_string(), file);

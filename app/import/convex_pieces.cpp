@@ -1,5 +1,7 @@
 #include "import/convex_pieces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/constants.hpp>
@@ -8,7 +10,8 @@
 #include <set>
 #include <tuple>
 
-#include "import/mesh_skin.hpp"
+#include "import/extreme_points.hpp"
+#include "import/machine.hpp"
 
 namespace dynamy::app {
 namespace {
@@ -243,9 +246,26 @@ std::vector<Vec3> hullCorners(const std::vector<Vec3>& points) {
 
 }  // namespace
 
+std::string ConvexPieces::text(double size) const {
+  const std::size_t n = corners.size();
+  const std::string percent = fmt::format("{:.1f}", 100.0 * std::abs(excess));
+  return fmt::format(
+      "{} convex piece{}, together {}; {}", n, n == 1 ? "" : "s",
+      percent == "0.0"
+          ? "of its volume"
+          : percent + (excess < 0.0 ? " % smaller than its volume" : " % larger than its volume"),
+      inside > 1e-9 * size ? fmt::format("their faces are at most {:.2g} m inside of it", inside)
+                           : "they contain it");
+}
+
+void turnOutwards(TriangleMesh& mesh) {
+  if (enclosed(mesh).volume < 0.0)
+    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
 ConvexPieces convexPieces(const TriangleMesh& mesh, int most) {
   ConvexPieces out;
-  out.volume = std::abs(enclosedInertia(mesh).mass);
+  out.volume = std::abs(enclosed(mesh).volume);
   double all = 0.0;
   for (Piece& p : Cutter(mesh, out.volume).pieces(most)) {
     if (!(p.hull > kLeast * out.volume)) continue;

@@ -10,9 +10,9 @@
 ///
 /// Rejected: hulls of groups of triangles, which need not contain what is inside of the solid.
 #pragma once
+#include <dynamy/io/mesh/mesh_file.hpp>
+#include <string>
 #include <vector>
-
-#include "import/mesh_file.hpp"
 
 namespace dynamy::app {
 
@@ -22,7 +22,12 @@ struct ConvexPieces {
   double excess = 0.0;  ///< volume of all pieces less that of the solid, over the latter
   double inside =
       0.0;  ///< at most by this a piece is inside of the hull of its part of the solid [m]
+  /// "4 convex pieces, together 1.2 % larger than its volume; they contain it". `size`: of the mesh.
+  std::string text(double size) const;
 };
+
+/// Triangles that face inwards are turned round.
+void turnOutwards(TriangleMesh& mesh);
 
 /// \pre `mesh` is closed and encloses a volume. At most `most` pieces, fewer where they exceed the
 /// solid by less than 1 % together.

@@ -6,10 +6,10 @@
 
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/mesh/mesh_file.hpp>
 #include <filesystem>
 #include <memory>
 
-#include "import/mesh_file.hpp"
 #include "import/mesh_reader.hpp"
 #include "import/mjcf_reader.hpp"
 #include "import/model_text.hpp"
@@ -41,14 +41,15 @@ Machine readMachine(const std::string& file, const ImportOptions& options) {
   throw ModelError(
       document.diagnostic(root.place, root, "is no machine that can be imported",
                           "<robot> begins a file of URDF, <mujoco> of MJCF, <sdf> of SDF; "
-                          "meshes end with .stl or .obj"));
+                          "meshes end with .stl, .obj, .ply or .dae"));
 }
 
 /// Options that say nothing about the file are errors, as a wrong value is.
 void refuseOthers(const CLI::App& command, bool mesh) {
-  for (const char* option : {"--density", "--scale", "--pieces"})
+  for (const char* option : {"--density", "--scale"})
     if (!mesh && command.count(option) > 0)
-      throw CLI::ValidationError(option, "is for files of meshes, which end with .stl or .obj");
+      throw CLI::ValidationError(option,
+                                 "is for files of meshes, which end with .stl, .obj, .ply or .dae");
   for (const char* option :
        {"--at", "--free-base", "--self-contact", "--drives", "--key", "--package"})
     if (mesh && command.count(option) > 0)
@@ -95,7 +96,8 @@ int import(const ImportChoice& choice) {
   simplify(machine);
   startAt(machine, choice.at);
   const std::string source = std::filesystem::path(choice.file).filename().string();
-  const std::string text = modelText(machine, source);
+  const std::string text =
+      modelText(machine, source, std::filesystem::path(choice.out).parent_path());
   if (choice.out.empty()) {
     fmt::print("{}", text);
   } else {
@@ -120,7 +122,8 @@ void addImport(CLI::App& app, Program& program) {
   auto choice = std::make_shared<ImportChoice>();
   CLI::App* c = app.add_subcommand(
       "import", "a model of the machine in a file of URDF, MJCF or SDF, or of a mesh");
-  c->add_option("FILE", choice->file, "file of URDF, MJCF or SDF; a closed mesh of STL or OBJ")
+  c->add_option("FILE", choice->file,
+                "file of URDF, MJCF or SDF; a closed mesh of STL, OBJ, PLY or DAE")
       ->required()
       ->check(someName());
   c->add_option("-o,--out", choice->out, "model file to write; default: print it")
@@ -146,9 +149,9 @@ void addImport(CLI::App& app, Program& program) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   c->add_option("--pieces", choice->options.pieces,
-                "mesh: most convex pieces by which the body touches")
-      ->check(CLI::Range(1, 200))
-      ->capture_default_str();
+                "most convex pieces by which a mesh touches; default: 32 of a mesh file, else its "
+                "hull, which is one")
+      ->check(CLI::Range(1, 200));
   c->add_flag("--quiet", choice->quiet, "do not list what has no equivalent");
   c->callback([choice, c, &program] {
     refuseOthers(*c, isMeshFile(choice->file));

@@ -13,7 +13,7 @@ struct ImportOptions {
   std::string key;           ///< MJCF: the keyframe that is the start; "": none
   double density = 1000.0;   ///< meshes: of the body [kg/m³]
   double scale = 1.0;        ///< meshes: metres of a unit of the file
-  int pieces = 32;           ///< meshes: most convex pieces
+  int pieces = 0;            ///< most convex pieces of a mesh; 0: the default of the kind of file
   std::vector<std::string> packages;  ///< folders in which package:// paths are looked for
 };
 

@@ -7,6 +7,7 @@
 #pragma once
 #include <cmath>
 #include <dynamy/core/error.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,17 +29,21 @@ struct Inertia {
   void add(const Inertia& other, const Pose& pose);
 };
 
-/// A shape on a link.
+/// A shape on a link. A mesh is a picture and has no part in contact.
 struct Skin {
-  enum class Kind : std::uint8_t { box, sphere, capsule, cylinder, ellipsoid, plane, hull };
+  enum class Kind : std::uint8_t { box, sphere, capsule, cylinder, ellipsoid, plane, hull, mesh };
   Kind kind = Kind::sphere;
   /// box: edges; sphere: radius; capsule, cylinder: radius and length of the straight part;
   /// ellipsoid: half axes [m]
   Vec3 size = Vec3::Zero();
-  std::vector<Vec3> points;  ///< of a hull, in axes of the shape [m]
-  Pose pose;                 ///< in the link
-  bool touches = true;       ///< takes part in contact; false: is drawn only
-  double mu = 1.0;           ///< coefficient of friction
+  /// hull: the corners of one convex body or of several, in axes of the shape [m]
+  std::vector<std::vector<Vec3>> hulls;
+  std::filesystem::path file;  ///< of a mesh, or of that of a hull, which is drawn; may be empty
+  Vec3 scale = Vec3::Ones();   ///< of that mesh: metres of a unit of the file
+  Pose pose;                   ///< in the link
+  bool touches = true;         ///< takes part in contact; false: is drawn only
+  bool hidden = false;         ///< is not drawn if others of its link are
+  double mu = 1.0;             ///< coefficient of friction
   unsigned category = 1,
            collidesWith = 1;  ///< bits: A and B touch if (A.category & B.collidesWith)
                               ///< or the other way round is not zero

@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <dynamy/io/mesh/mesh_file.hpp>
 #include <filesystem>
 
 #include "import/convex_pieces.hpp"
-#include "import/mesh_file.hpp"
+#include "import/mesh_skin.hpp"
+#include "import/solids.hpp"
 
 namespace dynamy::app {
 namespace {
 
 constexpr double kFriction = 0.5;
+constexpr int kPieces = 32;  ///< most convex pieces if nothing else is said
 
 TriangleMesh scaledMesh(const std::string& file, double scale) {
   try {
@@ -21,12 +24,6 @@ TriangleMesh scaledMesh(const std::string& file, double scale) {
   } catch (const std::runtime_error& e) {
     throw ModelError(file + ": " + e.what());
   }
-}
-
-/// Triangles that face inwards are turned round.
-void turnOutwards(TriangleMesh& mesh) {
-  if (enclosedInertia(mesh).mass < 0.0)
-    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
 }
 
 }  // namespace
@@ -50,23 +47,17 @@ Machine readMeshBody(const std::string& file, const ImportOptions& options) {
   const double size = extent.sizes().maxCoeff();
   if (!(body.inertia.mass > 1e-9 * size * size * size))
     throw ModelError(file + ": the triangles enclose no volume");
-  const ConvexPieces pieces = convexPieces(mesh, options.pieces);
+  const ConvexPieces pieces = convexPieces(mesh, options.pieces > 0 ? options.pieces : kPieces);
   body.inertia.mass *= options.density, body.inertia.J *= options.density;
   body.pose.r.z() = -extent.min().z();
-  for (const std::vector<Vec3>& corners : pieces.corners) {
-    Skin skin;
-    skin.kind = Skin::Kind::hull, skin.points = corners, skin.mu = kFriction;
-    body.skins.push_back(skin);
-  }
+  Skin skin;
+  skin.kind = Skin::Kind::hull, skin.hulls = pieces.corners, skin.mu = kFriction;
+  if (mesh.triangles.size() <= kMostDrawn)
+    skin.file = file, skin.scale = Vec3::Constant(options.scale);
+  body.skins.push_back(skin);
   say(fmt::format("is {:.3g} m long, with a mass of {:.4g} kg for {:g} kg/m^3", size,
                   body.inertia.mass, options.density));
-  const std::size_t n = pieces.corners.size();
-  say(fmt::format("touches by {} convex piece{}, together {:.1f} % {} than its volume; {}", n,
-                  n == 1 ? "" : "s", 100.0 * std::abs(pieces.excess),
-                  pieces.excess < 0.0 ? "smaller" : "larger",
-                  pieces.inside > 1e-9 * size
-                      ? fmt::format("their faces are at most {:.2g} m inside of it", pieces.inside)
-                      : "they contain it"));
+  say("touches by " + pieces.text(size));
   out.links.push_back(std::move(body));
   Skin floor;
   floor.kind = Skin::Kind::plane, floor.mu = kFriction;

@@ -4,32 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <dynamy/system/convex_hull.hpp>
-#include <set>
 #include <stdexcept>
+
+#include "import/convex_pieces.hpp"
+#include "import/extreme_points.hpp"
 
 namespace dynamy::app {
 namespace {
 namespace fs = std::filesystem;
-
-/// Unit vectors on a spiral, evenly over the sphere, and the axes.
-std::vector<Vec3> directions(int count) {
-  constexpr double kGolden = 2.399963229728653;  // angle between neighbours, pi (3 - sqrt 5)
-  std::vector<Vec3> out;
-  for (int i = 0; i < 3; ++i) out.push_back(Vec3::Unit(i)), out.push_back(-Vec3::Unit(i));
-  for (int i = 0; i < count; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / count, r = std::sqrt(1.0 - z * z);
-    out.emplace_back(r * std::cos(kGolden * i), r * std::sin(kGolden * i), z);
-  }
-  return out;
-}
-
-std::size_t farthest(const std::vector<Vec3>& points, const Vec3& n) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    if (n.dot(points[i]) > n.dot(points[best])) best = i;
-  return best;
-}
 
 bool flat(const std::vector<Vec3>& points) {
   Vec3 mean = Vec3::Zero();
@@ -41,23 +23,18 @@ bool flat(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-std::vector<Vec3> outermostPoints(const std::vector<Vec3>& points) {
-  static const std::vector<Vec3> all = directions(162);
-  std::set<std::size_t> kept;
-  for (const Vec3& n : all) kept.insert(farthest(points, n));
-  std::vector<Vec3> out;
-  for (const std::size_t i : kept) out.push_back(points[i]);
-  return out;
+bool isOfMesh(const XmlNode& node) {
+  const XmlNode* shape = childOf(node, "geometry");
+  return shape != nullptr && !shape->children.empty() && shape->children.front().tag == "mesh";
 }
 
-std::vector<Vec3> extremePoints(const std::vector<Vec3>& points, double& inside) {
-  std::vector<Vec3> out = outermostPoints(points);
-  inside = 0.0;
-  for (const Triangle& f : convexHull(out)) {
-    const Vec3 &a = out[at(f[0])], n = (out[at(f[1])] - a).cross(out[at(f[2])] - a).normalized();
-    for (const Vec3& p : points) inside = std::max(inside, n.dot(p - a));
+void drawMeshes(std::vector<Skin>& skins, const std::string& colour) {
+  const bool drawn = std::any_of(skins.begin(), skins.end(),
+                                 [](const Skin& s) { return s.kind == Skin::Kind::mesh; });
+  for (Skin& s : skins) {
+    if (s.colour.empty()) s.colour = colour;
+    s.hidden = drawn && s.touches;
   }
-  return out;
 }
 
 fs::path MeshSkins::found(const std::string& name) const {
@@ -102,20 +79,40 @@ const TriangleMesh* MeshSkins::mesh(const XmlNode& node, const std::string& name
   }
 }
 
+/// Convex pieces of a closed mesh. False with a note for others.
+bool MeshSkins::cut(const XmlNode& node, const std::string& name, TriangleMesh mesh, Skin& skin) {
+  const double size = extentOf(mesh).sizes().maxCoeff();
+  turnOutwards(mesh);
+  if (!closed(mesh) || !(enclosed(mesh).volume > 1e-9 * size * size * size)) {
+    read_.note(node, fmt::format("mesh \"{}\" is not closed, and has no pieces", name));
+    return false;
+  }
+  const ConvexPieces pieces = convexPieces(mesh, options_.pieces);
+  skin.hulls = pieces.corners;
+  read_.note(node, fmt::format("mesh \"{}\" touches by {}", name, pieces.text(size)));
+  return true;
+}
+
 bool MeshSkins::read(const XmlNode& node, const std::string& name, const Vec3& scale, Skin& skin) {
   const TriangleMesh* mesh = name.empty() ? nullptr : this->mesh(node, name, scale);
   if (!mesh) return false;
+  if (mesh->triangles.size() <= kMostDrawn) skin.file = found(name), skin.scale = scale;
+  if (!skin.touches && !skin.file.empty()) {
+    skin.kind = Skin::Kind::mesh;
+    return true;
+  }
   double inside = 0.0;
   skin.kind = Skin::Kind::hull;
-  skin.points = extremePoints(mesh->points, inside);
-  if (flat(skin.points)) {
+  if (skin.touches && options_.pieces > 1 && cut(node, name, *mesh, skin)) return true;
+  skin.hulls = {extremePoints(mesh->points, inside)};
+  if (flat(skin.hulls.front())) {
     read_.note(node, fmt::format("mesh \"{}\" is left out: its points lie in a plane", name));
     return false;
   }
   read_.note(node, fmt::format("mesh \"{}\" {} by its convex hull, of {} points, at most {:.2g} m "
                                "inside of that of all {}",
-                               name, skin.touches ? "touches" : "is shown", skin.points.size(),
-                               inside, mesh->points.size()));
+                               name, skin.touches ? "touches" : "is shown",
+                               skin.hulls.front().size(), inside, mesh->points.size()));
   return true;
 }
 

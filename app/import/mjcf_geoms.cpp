@@ -11,6 +11,8 @@
 namespace dynamy::app {
 namespace {
 
+/// The last group of shapes that is shown if nothing else is said.
+constexpr double kLastShown = 2.0;
 constexpr double kWater = 1000.0;  // default density [kg/m³]
 
 /// Number `i` of an attribute with several; `otherwise` if there are fewer.
@@ -175,6 +177,7 @@ MjcfGeom MjcfGeoms::geom(const XmlNode& node) {
     out.inertia = solidInertia(out.skin, mass(node, volume(out.skin)));
   }
   const double group = read_.number(node, "group", 0.0);
+  out.skin.hidden = group > kLastShown;
   if (group < compiler_.firstGroup || group > compiler_.lastGroup) out.inertia = {};
   return out;
 }

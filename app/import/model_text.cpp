@@ -13,6 +13,7 @@
 
 namespace dynamy::app {
 namespace {
+namespace fs = std::filesystem;
 
 /// 15 digits, so that 0.1 + 0.2 reads 0.3; less than 1e-15 is rounding of a turn.
 std::string number(double x) { return std::abs(x) < 1e-15 ? "0" : fmt::format("{:.15g}", x); }
@@ -44,7 +45,9 @@ std::string inertiaText(const Mat3& J) {
   return out;
 }
 
-std::string skinText(const Skin& skin, const Pose& pose, const std::string& material) {
+/// `folder`: of the model. A hull has one convex body.
+std::string skinText(const Skin& skin, const Pose& pose, const std::string& material,
+                     const fs::path& folder) {
   using Kind = Skin::Kind;
   std::string out;
   switch (skin.kind) {
@@ -67,9 +70,13 @@ std::string skinText(const Skin& skin, const Pose& pose, const std::string& mate
       break;
     case Kind::hull: {
       std::string points;
-      for (const Vec3& p : skin.points) points += (points.empty() ? "" : "  ") + vector(p);
+      for (const Vec3& p : skin.hulls.front()) points += (points.empty() ? "" : "  ") + vector(p);
       out = "Polyhedron" + attribute("points", points);
+      break;
     }
+    case Kind::mesh:
+      out = "Mesh" + attribute("file", fs::proximate(skin.file, folder).generic_string());
+      if (!skin.scale.isOnes(0.0)) out += attribute("scale", vector(skin.scale));
   }
   out += placed(pose);
   if (!material.empty()) out += attribute("material", material);
@@ -79,9 +86,10 @@ std::string skinText(const Skin& skin, const Pose& pose, const std::string& mate
 
 class ModelWriter {
  public:
-  ModelWriter(Machine& machine, std::string source)
+  ModelWriter(Machine& machine, std::string source, std::filesystem::path folder)
       : m_(machine),
         source_(std::move(source)),
+        folder_(std::move(folder)),
         rules_(contactRules(machine)),
         poses_(startPoses(machine)) {}
   std::string text();
@@ -109,6 +117,7 @@ class ModelWriter {
 
   Machine& m_;
   std::string source_;
+  std::filesystem::path folder_;
   ContactRules rules_;
   std::vector<Pose> poses_;
   std::vector<std::string> names_, jointNames_;
@@ -151,12 +160,27 @@ bool ModelWriter::stands(int link) const {
 
 void ModelWriter::skins(const std::vector<Skin>& skins, const std::vector<int>& materials,
                         const Vec3& centre) {
+  const auto write = [&](Skin skin, const std::string& material) {
+    const Pose pose{skin.pose.r - centre, skin.pose.A};
+    const auto hulls = std::move(skin.hulls);
+    for (std::size_t k = 0; k < std::max<std::size_t>(hulls.size(), 1); ++k) {
+      if (!hulls.empty()) skin.hulls = {hulls[k]};
+      systems_ += "      " + skinText(skin, pose, material, folder_.empty() ? "." : folder_) + "\n";
+    }
+  };
+  const bool shown =
+      std::any_of(skins.begin(), skins.end(), [](const Skin& s) { return !s.hidden; });
   for (std::size_t k = 0; k < skins.size(); ++k) {
-    const int material = materials[k];
-    systems_ += "      " +
-                skinText(skins[k], {skins[k].pose.r - centre, skins[k].pose.A},
-                         material < 0 ? "" : rules_.materials[at(material)].name) +
-                "\n";
+    Skin skin = skins[k];
+    const bool hidden = skin.hidden && shown, touches = materials[k] >= 0;
+    if (hidden && !touches) continue;
+    // A hull touches, the mesh that it stands for is seen.
+    const bool twice = !hidden && skin.kind == Skin::Kind::hull && !skin.file.empty();
+    if (hidden || twice) skin.colour = "transparent";
+    if (touches || !twice) write(skin, touches ? rules_.materials[at(materials[k])].name : "");
+    if (!twice) continue;
+    skin.kind = Skin::Kind::mesh, skin.colour = skins[k].colour, skin.hulls.clear();
+    write(skin, "");
   }
 }
 
@@ -412,8 +436,9 @@ std::string noteText(const ImportNote& note) {
   return (place.empty() ? "" : place + ": ") + note.element + ": " + note.text;
 }
 
-std::string modelText(Machine& machine, const std::string& source) {
-  return ModelWriter(machine, source).text();
+std::string modelText(Machine& machine, const std::string& source,
+                      const std::filesystem::path& folder) {
+  return ModelWriter(machine, source, folder).text();
 }
 
 }  // namespace dynamy::app

@@ -120,12 +120,13 @@ std::vector<Skin> SdfShapes::skins(const XmlNode& link) {
   const bool touches = childOf(link, "collision") != nullptr;
   for (const XmlNode* c : childrenOf(link, touches ? "collision" : "visual"))
     if (Skin made; skin(*c, made)) out.push_back(made);
+  for (const XmlNode* c : childrenOf(link, "visual"))
+    if (Skin made; touches && isOfMesh(*c) && skin(*c, made)) out.push_back(made);
   // Shapes of contact are drawn in the colour of the picture that they stand for.
   std::string seen;
   for (const XmlNode* c : childrenOf(link, "visual"))
     if (touches && seen.empty()) seen = colour(*c);
-  for (Skin& made : out)
-    if (made.colour.empty()) made.colour = seen;
+  drawMeshes(out, seen);
   return out;
 }
 

@@ -69,4 +69,9 @@ Inertia solidInertia(const Skin& skin, double mass) {
   return out;
 }
 
+Inertia enclosedInertia(const TriangleMesh& mesh) {
+  const MassProperties m = enclosed(mesh);
+  return {m.volume, m.centre_B, m.inertia_B};
+}
+
 }  // namespace dynamy::app

@@ -169,10 +169,10 @@ Link UrdfReader::link(const XmlNode& node) {
     if (c.tag == "visual" && !touches) skin(c, out);
     if (c.tag != "visual" || !touches) continue;
     if (seen.empty()) seen = colour(c);
-    read_.note(c, "the shapes of <collision> are drawn instead, in its colour");
+    if (isOfMesh(c)) skin(c, out);
+    if (!isOfMesh(c)) read_.note(c, "the shapes of <collision> are drawn instead, in its colour");
   }
-  for (Skin& skin : out.skins)
-    if (skin.colour.empty()) skin.colour = seen;
+  drawMeshes(out.skins, seen);
   return out;
 }
 

@@ -35,7 +35,7 @@ const std::vector<WrongModel> kWrongModels{
      "<RigidBody mass=\"…\" inertia=\"…\">"},
     {"mass=\"2\"", "rho=\"7800\"", "6:25", "\"rho\"", "density="},
     {"mass=\"2\"", "mass=\"2\" color=\"red\"", "6:34", "\"color\"", "colour="},
-    {"mass=\"2\"", "mass=\"2\" file=\"a.stl\"", "6:34", "\"file\"", "corners stand in the model"},
+    {"mass=\"2\"", "mass=\"2\" file=\"a.stl\"", "6:34", "\"file\"", "<Mesh file="},
     {"<RigidBody name=\"block\"", "<Body name=\"block\"", "5:5", "<Body>", "<RigidBody>"},
     {"position=\"0 0 0.5\"", "pos=\"0 0 0.5\"", "5:29", "\"pos\"", "position="},
     {"0.5\">", "0.5\" quaternion=\"1 0 0 0\">", "5:48", "\"quaternion\"", "orientation="},

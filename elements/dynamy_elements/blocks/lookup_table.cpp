@@ -4,7 +4,6 @@
 #include <dynamy/core/foreign_format.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/blocks/lookup_table.hpp>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 
@@ -75,15 +74,7 @@ LookupTable::LookupTable(const Parameters& x) : ExternalForce(x), of_(x, "of", 1
 
 void LookupTable::read(const Parameters& x) {
   const ParameterValue& file = x["file"];
-  const std::filesystem::path path =
-      std::filesystem::path(file.place.file).parent_path() / file.text;
-  std::ifstream in(path);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error) || !in)
-    throw file.fault(std::filesystem::is_directory(path, error) ? "this is a folder, not a file"
-                     : std::filesystem::exists(path, error)     ? "the file cannot be read"
-                                                                : "there is no such file",
-                     "a path is relative to the model in which it stands", 0, file.text.size());
+  std::ifstream in(file.existingFile());
   std::string begin(8, '\0');
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   if (const ForeignFormat format = foreignFormat(begin); !format.name.empty())

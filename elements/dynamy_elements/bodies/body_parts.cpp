@@ -52,7 +52,7 @@ namespace {
 /// Throws ModelError for a shape whose density gives no mass, since it has no volume.
 void refuseFlat(std::span<const std::unique_ptr<Shape>> shapes) {
   for (const auto& shape : shapes)
-    if (shape->density() > 0.0)
+    if (shape->density() > 0.0 && !(shape->massProperties().volume > 0.0))
       throw ModelError(Diagnostic{
           .place = shape->place(),
           .element = shape->type(),
@@ -190,7 +190,7 @@ BodyMass BodyParts::mass(const Parameters& x, Mat3 (*J)(const ParameterValue&)) 
     return {.m = total, .J_S_K = J(x["inertia"])};
   }
   BodyMass out = mass(total);
-  if (!(out.m > 0.0)) refuseFlat(shapes_);
+  refuseFlat(shapes_);
   if (!(out.m > 0.0))
     throw ModelError(given ? "the body has a mass but no inertia" : "the body has no mass",
                      given ? "add inertia=\"…\", or a shape with a volume"

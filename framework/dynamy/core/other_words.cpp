@@ -26,7 +26,7 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"disk disc wheel cylindricalsolid cylindershape", "", "a disc is a short <Cylinder>"},
   {"pill sweptsphere capsuleshape", "", "a cylinder with round ends is <Capsule>"},
   {"hull convexhull convex convexmesh", "", "a convex hull is <Polyhedron>"},
-  {"trimesh trianglemesh triangularmesh triangles stl obj", "", "a mesh of triangles is <Mesh points=\"…\" triangles=\"…\">"},
+  {"trimesh trianglemesh triangularmesh triangles stl obj ply dae", "", "a mesh of triangles is <Mesh file=\"…\">, or <Mesh points=\"…\" triangles=\"…\">"},
   {"heightmap hfield terrain elevationgrid heightfieldterrain gridsurface", "", "a ground of heights is <HeightField>"},
   {"polyline segment edge", "", "a line through points is <Line>"},
   {"tire pacejka", "", "a tyre that rolls without slip is <Torus>, one with a slip curve <Tyre>"},
@@ -177,7 +177,7 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"color rgba colorrgba diffuse", "colour", "the colour is {}"},
   {"name file filename path url uri src", "library", "the library is {}"},
   {"file filename path url uri src", "file", "the file is {}",
-   "files of shapes are not read; their corners stand in the model: <Polyhedron points=\"…\">, <Mesh points=\"…\" triangles=\"…\">"},
+   "files of shapes are read by <Mesh file=\"…\"> and, as their hull, by <Polyhedron file=\"…\">"},
   {"default expr val", "value", "the value is {}"},
   {"n number times copies", "count", "the count is {}"},
 });

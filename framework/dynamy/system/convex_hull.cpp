@@ -160,7 +160,7 @@ MassProperties enclosed(const std::vector<Vec3>& points, const std::vector<Trian
   }
   MassProperties out;
   out.volume = six / 6.0;
-  if (!(out.volume > 0.0)) return {};
+  if (!(std::abs(out.volume) > 0.0)) return {};
   const Vec3 centre = first / out.volume;
   second -= out.volume * centre * centre.transpose();
   out.centre_B = centre;

@@ -16,6 +16,7 @@ std::vector<Triangle> convexHull(const std::vector<Vec3>& points);
 /// Mass properties of the solid that closed triangles enclose: sums over the tetrahedra that the
 /// triangles span with the origin,
 ///   ∫ r rᵀ dV = det/120 (s sᵀ + a aᵀ + b bᵀ + c cᵀ), s = a + b + c [Tonon 2004, 3].
+/// All are negative but the centre if the triangles face inwards.
 MassProperties enclosed(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
 
 }  // namespace dynamy

@@ -180,11 +180,30 @@ TEST_F(UrdfImport, TouchesByTheHullOfAMesh) {
                                 "</collision>")),
       0);
   expectChecks();
-  EXPECT_NE(line("<Polyhedron"), "");
+  EXPECT_NE(line("<Polyhedron").find("material=\"bar\" colour=\"transparent\""), std::string::npos)
+      << model();
+  EXPECT_EQ(line("<Mesh"),
+            "      <Mesh file=\"cube.stl\" scale=\"0.1 0.1 0.1\" position=\"0 0 0.5\"/>");
   EXPECT_NE(notes_.find("of 8 points, at most 0 m inside of that of all 8"), std::string::npos)
       << notes_;
   EXPECT_NE(notes_.find("mesh \"none.stl\" is left out: there is no such file"), std::string::npos)
       << notes_;
+}
+
+TEST_F(UrdfImport, DrawsAMeshInsteadOfWhatTouches) {
+  write("arm.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  ASSERT_EQ(import("p.urdf",
+                   pendulum("continuous", "",
+                            "<visual><geometry><mesh filename=\"arm.obj\"/></geometry><material "
+                            "name=\"m\"><color rgba=\"1 0.5 0 1\"/></material></visual>"
+                            "<collision><geometry><box size=\"1 2 3\"/></geometry></collision>")),
+            0);
+  expectChecks();
+  EXPECT_EQ(line("<Mesh"),
+            "      <Mesh file=\"arm.obj\" position=\"0 0 0.5\" colour=\"#ff8000\"/>");
+  EXPECT_EQ(line("<Box"),
+            "      <Box size=\"1 2 3\" position=\"0 0 0.5\" material=\"bar\" "
+            "colour=\"transparent\"/>");
 }
 
 TEST_F(UrdfImport, NamesMistakesWithTheirPlace) {

@@ -1,22 +1,10 @@
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy_elements/contacts/shapes/faceted_shapes.hpp>
+#include <dynamy_elements/contacts/shapes/shape_file.hpp>
 
 namespace dynamy {
 namespace {
-
-/// Vectors of three numbers each. Throws ModelError for another count or fewer than `least`.
-std::vector<Vec3> triples(const ParameterValue& value, const char* what, std::size_t least) {
-  const std::size_t n = value.numbers.size();
-  if (n % 3 != 0 || n < 3 * least)
-    throw value.fault("a list of at least " + std::to_string(least) + " " + what +
-                          " with three numbers each is needed",
-                      "here are " + std::to_string(n) + " numbers", 0, value.text.size());
-  std::vector<Vec3> out;
-  for (std::size_t i = 0; i < n; i += 3)
-    out.emplace_back(value.numbers[i], value.numbers[i + 1], value.numbers[i + 2]);
-  return out;
-}
 
 ShapeGeometry faceted(ShapeType type, const std::vector<Vec3>& points,
                       const std::vector<Triangle>& triangles, const std::string& colour) {
@@ -30,19 +18,23 @@ ShapeGeometry faceted(ShapeType type, const std::vector<Vec3>& points,
 
 void PolyhedronShape::declare(Attributes& a) {
   a.about(
-      "Convex hull of points; mass properties from its volume. Touches all shapes in space "
-      "but lines (doc/shape_pairs.md).");
-  a.requiredVector("points", Unit::length, 0, "x y z of four or more points");
+      "Convex hull of points, or of a mesh file; mass properties from its volume. Touches all "
+      "shapes "
+      "in space but lines (doc/shape_pairs.md). Its cost grows with its corners: `dynamy import` "
+      "makes convex pieces with few of a mesh.");
+  declareShapeFile(a, "x y z of four or more points");
   a.example(
       "<Polyhedron points=\"0 0 0  1 0 0  0 1 0  0 0 1\" density=\"2500\" material=\"stone\"/>");
 }
 
 PolyhedronShape::PolyhedronShape(const Parameters& x) : Shape(x) {
-  const std::vector<Vec3> all = triples(x["points"], "points", 4);
+  TriangleMesh mesh;
+  const ParameterValue& given = x[readShapeFile(x, mesh) ? "file" : "points"];
+  const std::vector<Vec3> all = x.has("file") ? mesh.points : triples(given, "points", 4);
   triangles_ = convexHull(all);
   if (triangles_.empty())
-    throw x["points"].fault("the points lie in one plane", "they enclose no volume", 0,
-                            x["points"].text.size());
+    throw given.fault("the points lie in one plane", "they enclose no volume", 0,
+                      given.text.size());
   // Points inside the hull are left out.
   std::vector<int> number(all.size(), -1);
   for (Triangle& t : triangles_)
@@ -63,34 +55,55 @@ void MeshShape::declare(Attributes& a) {
   a.about(
       "Ground of triangles with one side, the one from which their corners run counterclockwise. "
       "All shapes but points, lines, half spaces and meshes touch its faces, and edges and corners "
-      "that stand out. It carries no mass.");
-  a.requiredVector("points", Unit::length, 0, "x y z of three or more points");
-  a.requiredVector("triangles", Unit::none, 0, "i j k: numbers of three points, from 0, each");
+      "that stand out. Without a material it is a picture. It has a volume if its triangles "
+      "enclose "
+      "one.");
+  declareShapeFile(a, "x y z of three or more points");
+  Attribute& triangles = a.add(AttributeType::vector, "triangles", std::nullopt,
+                               "with points: i j k, numbers of three points, from 0, each");
+  triangles.size = 0;
+  triangles.mayBeAbsent();
   a.example("<Mesh points=\"0 0 0  1 0 0  0 1 0\" triangles=\"0 1 2\" material=\"stone\"/>");
 }
 
-MeshShape::MeshShape(const Parameters& x) : Shape(x), points_(triples(x["points"], "points", 3)) {
+MeshShape::MeshShape(const Parameters& x) : Shape(x) {
+  if (!readShapeFile(x, mesh_))
+    readTriangles(x);
+  else if (x.has("triangles"))
+    throw x["triangles"].fault("belongs to points; the file has its own", "", 0,
+                               x["triangles"].text.size());
+  if (closed(mesh_)) mass_ = enclosed(mesh_);
+  if (!(mass_.volume > 0.0)) mass_ = {};
+}
+
+void MeshShape::readTriangles(const Parameters& x) {
+  mesh_.points = triples(x["points"], "points", 3);
+  if (!x.has("triangles"))
+    throw x["points"].fault("triangles are missing", "triangles=\"0 1 2\"", 0,
+                            x["points"].text.size());
   const ParameterValue& given = x["triangles"];
   for (const Vec3& t : triples(given, "triangles", 1)) {
     Triangle triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
       const double i = t[static_cast<Eigen::Index>(k)];
-      if (i < 0.0 || i >= static_cast<double>(points_.size()) || i != std::floor(i))
+      if (i < 0.0 || i >= static_cast<double>(mesh_.points.size()) || i != std::floor(i))
         throw given.fault("no point number " + numberText(i),
-                          "there are 0 to " + std::to_string(points_.size() - 1), 0,
+                          "there are 0 to " + std::to_string(mesh_.points.size() - 1), 0,
                           given.text.size());
       triangle[k] = static_cast<int>(i);
     }
-    const auto at = [&](std::size_t k) { return points_[static_cast<std::size_t>(triangle[k])]; };
+    const auto at = [&](std::size_t k) {
+      return mesh_.points[static_cast<std::size_t>(triangle[k])];
+    };
     if (!((at(1) - at(0)).cross(at(2) - at(0)).norm() > 0.0))
-      throw given.fault("triangle " + std::to_string(triangles_.size()) + " has no area", "", 0,
-                        given.text.size());
-    triangles_.push_back(triangle);
+      throw given.fault("triangle " + std::to_string(mesh_.triangles.size()) + " has no area", "",
+                        0, given.text.size());
+    mesh_.triangles.push_back(triangle);
   }
 }
 
 ShapeGeometry MeshShape::geometry() const {
-  return faceted(ShapeType::mesh, points_, triangles_, colour());
+  return faceted(ShapeType::mesh, mesh_.points, mesh_.triangles, colour());
 }
 
 void HeightFieldShape::declare(Attributes& a) {

@@ -1,7 +1,7 @@
 /// Shapes with plane faces: convex polyhedra, triangle meshes and height fields. Their geometry
 /// lists three points per triangle, counterclockwise seen from outside.
 #pragma once
-#include <dynamy/system/convex_hull.hpp>
+#include <dynamy/io/mesh/mesh_file.hpp>
 
 namespace dynamy {
 
@@ -19,16 +19,18 @@ class PolyhedronShape final : public Shape {
   MassProperties mass_;
 };
 
-/// Triangles that can be touched from one side only: ground of any form.
+/// Triangles that can be touched from one side only: ground of any form, a picture of a body.
 class MeshShape final : public Shape {
  public:
   static void declare(Attributes& a);
   explicit MeshShape(const Parameters& x);
   ShapeGeometry geometry() const override;
+  MassProperties massProperties() const override { return mass_; }
 
  private:
-  std::vector<Vec3> points_;
-  std::vector<Triangle> triangles_;
+  void readTriangles(const Parameters& x);
+  TriangleMesh mesh_;
+  MassProperties mass_;  ///< none if the triangles do not enclose a volume
 };
 
 /// Surface of the heights z over a grid in x and y; the ground lies below it.

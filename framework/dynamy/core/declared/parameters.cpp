@@ -5,6 +5,7 @@
 #include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/core/other_words.hpp>
 #include <dynamy/core/suggestion.hpp>
+#include <fstream>
 #include <stdexcept>
 
 namespace dynamy {
@@ -72,6 +73,17 @@ std::vector<ValuePart> ParameterValue::parts(char separator) const {
     begin = end + 1;
   }
   return out;
+}
+
+std::filesystem::path ParameterValue::existingFile() const {
+  namespace fs = std::filesystem;
+  fs::path path = fs::path(place.file).parent_path() / text;
+  std::error_code error;
+  if (fs::is_regular_file(path, error) && std::ifstream(path)) return path;
+  throw fault(fs::is_directory(path, error) ? "this is a folder, not a file"
+              : fs::exists(path, error)     ? "the file cannot be read"
+                                            : "there is no such file",
+              "a path is relative to the model in which it stands", 0, text.size());
 }
 
 ModelError ParameterValue::fault(std::string message, std::string hint, std::size_t offset,

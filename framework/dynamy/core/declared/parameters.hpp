@@ -7,6 +7,7 @@
 #pragma once
 #include <dynamy/core/declared/element.hpp>
 #include <dynamy/core/types.hpp>
+#include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -45,6 +46,9 @@ class ParameterValue {
   std::vector<std::string> words() const;  ///< split at white space
   /// Split at `separator`, without the blanks around the parts; an empty text has no parts.
   std::vector<ValuePart> parts(char separator) const;
+  /// The file that the text names, counted from the folder of the file in which it stands. Throws
+  /// ModelError if there is no such file.
+  std::filesystem::path existingFile() const;
   /// The error to throw for `length` bytes from byte `offset` of the text, e.g. of a formula.
   ModelError fault(std::string message, std::string hint, std::size_t offset,
                    std::size_t length) const;

@@ -26,8 +26,8 @@ struct LoadOptions {
   /// Called before the model is built, to change its settings and methods; null: nothing changes.
   std::function<void(Model&)> prepare = {};
   bool seek = true;  ///< false: `start="equilibrium"` of the model is not followed
-  /// Receives the paths of the model, its included files and its plug-ins, including files that
-  /// were not found, and even if the model is faulty. A program that waits for changes watches
+  /// Receives the paths of the model, its included files, its plug-ins and the files that elements
+  /// name (tables, meshes), including files that were not found, and even if the model is faulty. A program that waits for changes watches
   /// these files.
   std::vector<std::filesystem::path>* files = nullptr;
   /// Receives the values of all parameters by the names that `set` takes.

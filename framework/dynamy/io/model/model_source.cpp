@@ -37,6 +37,15 @@ bool readWord(const XmlNode& node, const Scope& scope, const Vocabulary& vocabul
       .read(node, scope, vocabulary.find(node.tag)->attributes, {}, x);
 }
 
+/// Adds the files that elements name: tables, meshes. Those that are included are noted when read.
+void addFilesOf(const XmlNode& node, const fs::path& folder, std::vector<fs::path>& files) {
+  for (const XmlNode& child : node.children) {
+    const XmlAttribute* a = child.tag == "include" ? nullptr : child.attribute("file");
+    if (a != nullptr && !a->value.empty()) files.push_back(folder / a->value);
+    addFilesOf(child, folder, files);
+  }
+}
+
 fs::path resolved(const fs::path& path) {
   std::error_code error;
   const fs::path result = fs::weakly_canonical(path, error);
@@ -89,6 +98,7 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
     faults_->stop();
   }
   if (!checkRoot(root, scope)) return;
+  if (noted_ != nullptr) addFilesOf(root, scope.folder, *noted_);
   loadPlugins(root, scope);
   readParameters(root, scope, from);
   readDefaults(root, scope, *registry_, vocabulary_, *faults_);
