@@ -2,6 +2,7 @@
 // sees them turn; plane outlines become slabs that lie on each other as they are painted.
 import {BoxGeometry, BufferGeometry, CapsuleGeometry, ConeGeometry, CylinderGeometry, EdgesGeometry, Float32BufferAttribute,
   Matrix4, SphereGeometry, TorusGeometry} from "three";
+import {toCreasedNormals} from "three/addons/utils/BufferGeometryUtils.js";
 import type {SceneShape} from "./data";
 import {add, cross, dot, norm, scaled, sub, unit, type V3} from "./math";
 
@@ -49,12 +50,16 @@ export function torus(radius: number, tube: number): BufferGeometry {
   return sectors(new TorusGeometry(radius, tube, 20, 64), (x, y) => x * y > 0);
 }
 
+/** Triangles from which on a mesh has curved surfaces: faces that meet at less than this angle [deg] are parts of one. */
+const kMany = 400, kCurved = 30;
+
 /** Triangles with the edges between faces that meet at an angle. */
 export function meshGeometry({points = [], triangles = []}: SceneShape): {solid: BufferGeometry; edges: BufferGeometry} {
   const solid = new BufferGeometry(), at = triangles.flatMap(t => t.flatMap(i => points[i]));
   solid.setAttribute("position", new Float32BufferAttribute(at, 3));
   solid.computeVertexNormals();
-  return {solid: sectors(solid, () => false), edges: new EdgesGeometry(solid, 12)};
+  const many = triangles.length > kMany, shaded = many ? toCreasedNormals(solid, kCurved * Math.PI / 180) : solid;
+  return {solid: sectors(shaded, () => false), edges: new EdgesGeometry(solid, many ? kCurved : 12)};
 }
 
 /** A cube from −1 to 1. */
