@@ -29,7 +29,7 @@ std::string sceneText(const Model& model) {
 /// The choice with a longest step where the scheme chooses its steps: an input acts between two
 /// steps only, and a picture is to show it.
 RunChoice withShortSteps(Program& program, RunChoice choice) {
-  Model model = chosenModel(program, choice);
+  Model model = chosenModel(program, choice, nullptr, false);
   model.readyScheme();
   const SimulationSettings& s = model.simulation;
   if (!model.scheme().choosesSteps() || s.step > 0.0) return choice;
@@ -66,7 +66,7 @@ DrivenRun::DrivenRun(Program& program, RunChoice choice, const std::filesystem::
     : program_(program),
       first_(withShortSteps(program, std::move(choice))),
       choice_(first_),
-      model_(std::make_unique<Model>(chosenModel(program, choice_))),
+      model_(std::make_unique<Model>(chosenModel(program, choice_, nullptr, false))),
       folder_(folder),
       recording_(std::make_unique<RunRecording>(folder_, *model_)),
       simulation_(std::make_unique<Simulation>(*model_)),
@@ -211,7 +211,7 @@ std::string DrivenRun::change(const std::string& parameter, double value) {
   appendNumber(text, value);
   choice.set.emplace_back(parameter, text);
   try {
-    auto model = std::make_unique<Model>(chosenModel(program_, choice));
+    auto model = std::make_unique<Model>(chosenModel(program_, choice, nullptr, false));
     model->simulation.until = model_->simulation.until;
     if (!sameFiles(choice.sources, choice_.sources))
       return "a file of the model has changed since the run began";

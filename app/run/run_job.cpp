@@ -145,9 +145,11 @@ void noteSources(const Program& program, const std::vector<fs::path>& files, Run
 
 }  // namespace
 
-Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* files) {
+Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* files,
+                  bool findPlane) {
   LoadOptions options;
   std::vector<fs::path> read;
+  options.findPlane = findPlane;
   options.set = choice.set, options.files = files != nullptr ? files : &read;
   options.prepare = [&](Model& model) {
     if (choice.tolerance > 0.0) model.askTolerance(choice.tolerance);

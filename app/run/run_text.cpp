@@ -141,12 +141,17 @@ std::string stepText(const Model& model) {
 }
 
 std::string coordinatesText(const Composition& c) {
-  if (c.coordinates == 0) return {};
+  std::string out;
+  if (c.flat > 0)
+    out = fmt::format(" motion in the plane {}: {} with 3 instead of 6 velocities each\n", c.plane,
+                      counted(c.flat, "body", "bodies"));
+  if (c.coordinates == 0) return out;
   const std::string of = c.coordinates < c.joints ? fmt::format(" of {}", c.joints) : "";
-  return fmt::format(
-      " joints as coordinates: {}{}, with {} instead of {} and {} fewer to solve for\n",
-      c.coordinates, of, c.velocitiesAfter, counted(c.velocitiesBefore, "velocity", "velocities"),
-      counted(c.rowsSaved, "row"));
+  return out +
+         fmt::format(
+             " joints as coordinates: {}{}, with {} instead of {} and {} fewer to solve for\n",
+             c.coordinates, of, c.velocitiesAfter,
+             counted(c.velocitiesBefore, "velocity", "velocities"), counted(c.rowsSaved, "row"));
 }
 
 std::string reasonsText(const Model& model) {

@@ -37,6 +37,7 @@
 #include <dynamy_elements/laws/preloaded_spring.hpp>
 #include <dynamy_elements/laws/stribeck_friction.hpp>
 #include <dynamy_elements/trees/compose_trees.hpp>
+#include <dynamy_elements/trees/plane_choice.hpp>
 
 #include <dynamy_elements/standard_elements.hpp>
 
@@ -127,6 +128,7 @@ void registerElements(Registry& r) {
   r.add<Material>("Material");
   r.add<MixingRule>("Contacts");
   registerCoordinates(r);
+  r.addCompletion(flattenBodies);
   r.addCompletion(composeTrees);
   r.addCompletion(addShapeContacts);
 }
@@ -134,6 +136,7 @@ void registerElements(Registry& r) {
 }  // namespace
 
 void completeStandardElements(Model& model) {
+  model.addCompletion(flattenBodies);
   model.addCompletion(composeTrees);
   model.addCompletion(addShapeContacts);
 }

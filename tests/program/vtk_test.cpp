@@ -26,7 +26,7 @@ TEST_F(VtkExport, WritesBodiesWhereTheyAreAndTheForcesOfContacts) {
     <Ground name="world"><HalfSpace name="floor" normal="0 0 1" material="b"/></Ground></systems>
   <forces><Gravity acceleration="0 0 -10"/></forces>
   <elements><Contact between="a b"><UnilateralCoulomb epsilonN="0" mu="0.3"/></Contact></elements>
-  <simulation until="0.1" step="1e-2"/><record frames="50Hz"/></dynamy>)");
+  <simulation until="0.1" step="1e-2" coordinates="absolute"/><record frames="50Hz"/></dynamy>)");
   ASSERT_EQ(call("run box.xml --quiet --out r"), 0) << err();
   ASSERT_EQ(call("export vtk r"), 0) << err();
   EXPECT_EQ(out(), "r/vtk: bodies.pvd and contacts.pvd, 6 frames\n");

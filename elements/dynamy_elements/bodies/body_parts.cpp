@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <dynamy/core/constants.hpp>
+#include <dynamy/core/declared/mirror_plane.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
 
@@ -131,6 +132,12 @@ Vec3 offset(const Vec3& r, const Vec3& s) {
 }
 
 }  // namespace
+
+bool BodyParts::areMirrored(const MirrorPlane& plane_K) const {
+  return std::all_of(shapes_.begin(), shapes_.end(), [&](const auto& shape) {
+    return shape->isMirrored(plane_K.in(shape->r_SB_K(), shape->A_KB()));
+  });
+}
 
 BodyMass BodyParts::mass(double total) const {
   // Masses of the parts.

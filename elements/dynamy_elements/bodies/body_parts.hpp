@@ -61,6 +61,9 @@ class BodyParts {
   Vec3 position(int id) const { return id == 0 ? Vec3(Vec3::Zero()) : at(id).r_BF_K(); }
   Mat3 axes(int id) const { return id == 0 ? Mat3(Mat3::Identity()) : at(id).A_KF(); }
 
+  /// True: all shapes are their own mirror image. `plane_K`: in axes of the body.
+  bool areMirrored(const MirrorPlane& plane_K) const;
+
   /// Throws ModelError if a shape has a mass of its own, which would be ignored. `why`: names what
   /// has the mass instead.
   void refuseMass(const std::string& why) const { dynamy::refuseMass(shapes_, why); }

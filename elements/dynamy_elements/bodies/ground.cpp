@@ -1,3 +1,4 @@
+#include <dynamy/core/declared/mirror_plane.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/bodies/ground.hpp>
 
@@ -43,6 +44,10 @@ void Ground::describe(Description& d) const {
   d.timeless = motion_.empty() && rotation_.empty();
   parts_.describe(d);
   TimeFormulas::announce(d, {&motion_, &rotation_});
+}
+
+bool Ground::isMirrored(const MirrorPlane& plane) const {
+  return motion_.empty() && rotation_.empty() && parts_.areMirrored(plane.in(r_OB_I_, A_IK_));
 }
 
 void Ground::frame(double t, ConstVec, ConstVec, int id, Frame& out) const {

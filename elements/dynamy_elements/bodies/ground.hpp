@@ -24,6 +24,8 @@ class Ground final : public PartialMechanicalSystem, public RigidSystem {
   void h(double, ConstVec, ConstVec, Vec) const override {}
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
+  /// Of a ground at rest.
+  bool isMirrored(const MirrorPlane& plane) const override;
   /// Only a ground at rest can be part of a tree.
   Abilities abilities() const override {
     return {.rigid = motion_.empty() && rotation_.empty() ? this : nullptr};

@@ -37,6 +37,7 @@ class RigidBody final : public PartialMechanicalSystem, public PositionTangents 
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
+  bool isMirrored(const MirrorPlane& plane) const override;
   Abilities abilities() const override { return {.positionTangents = this, .rigid = &carried_}; }
 
  private:

@@ -1,5 +1,6 @@
 #include <Eigen/Eigenvalues>
 #include <dynamy/core/constants.hpp>
+#include <dynamy/core/declared/mirror_plane.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/bodies/gyroscopic.hpp>
 #include <dynamy_elements/bodies/rigid_body.hpp>
@@ -102,6 +103,13 @@ void RigidBody::describe(Description& d) const {
     const Mat3 A = rotationMatrix(s.q.data() + 3);
     return BodyMotion{s.q.head<3>(), s.u.head<3>(), A * s.u.tail<3>(), A};
   });
+}
+
+bool RigidBody::isMirrored(const MirrorPlane& plane) const {
+  const Mat3 A = rotationMatrix(p_.data());
+  const MirrorPlane own = plane.in(r_OB_I_, A);
+  return own.contains(mass_.r_BS_K) && plane.isAlong(v_S_I_) && own.isNormal(Omega_K_) &&
+         own.isNormal(mass_.J_S_K * own.n) && parts_.areMirrored(own);
 }
 
 void RigidBody::initialState(Vec q, Vec u) const {

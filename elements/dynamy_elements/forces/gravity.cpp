@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/declared/mirror_plane.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 
 namespace dynamy {
@@ -22,6 +23,10 @@ Vec3 Gravity::field(double t) const {
   Vec3 change;
   change_.eval(t, change.data());
   return g_I_ + change;
+}
+
+bool Gravity::isMirrored(const MirrorPlane& plane) const {
+  return change_.empty() && plane.isAlong(g_I_);
 }
 
 void Gravity::connect(Topology& topology) {

@@ -14,6 +14,7 @@ class Gravity final : public ExternalForce {
   explicit Gravity(const Parameters& x);
   void connect(Topology& topology) override;
   bool mayCouple() const override { return false; }
+  bool isMirrored(const MirrorPlane& plane) const override;
   void addTo(const Kinematics& k, ForceSink& sink) const override;
   /// A field that changes with time does work that is not the change of a potential of q.
   bool hasPotential() const override { return change_.empty(); }

@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
+#include <dynamy/core/declared/mirror_plane.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy_elements/forces/springs.hpp>
 #include <numbers>
@@ -53,6 +54,14 @@ void SpringDamper::connect(Topology& topology) {
   const StartKinematics start(topology);
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);
   length_ = (B.r_OS_I + B.A_IK * pointB_ - A.r_OS_I - A.A_IK * pointA_).norm();
+}
+
+bool SpringDamper::isMirrored(const MirrorPlane& plane) const {
+  FramePair frames = frames_;
+  frames.find(*plane.topology, *this);
+  const StartKinematics start(*plane.topology);
+  const Frame &A = start.frame(frames.A), &B = start.frame(frames.B);
+  return plane.contains(A.r_OS_I + A.A_IK * pointA_) && plane.contains(B.r_OS_I + B.A_IK * pointB_);
 }
 
 SpringDamper::Line SpringDamper::line(const Kinematics& k) const {

@@ -20,6 +20,7 @@ class SpringDamper final : public ExternalForce {
   bool hasPotential() const override { return damping_ == 0.0; }
   double potentialEnergy(const Kinematics& k) const override;
   bool stiff() const override { return stiff_; }
+  bool isMirrored(const MirrorPlane& plane) const override;
   void addStiffness(const Kinematics& k, StiffnessSink& sink) const override;
 
  private:

@@ -46,6 +46,9 @@ class JointSpring final : public CoordinateForce {
  public:
   static void declare(Attributes& a);
   explicit JointSpring(const Parameters& x);
+  bool isMirrored(const MirrorPlane& plane) const override {
+    return coordinate().isMirrored(plane, *this);
+  }
   void addTo(const Kinematics& k, ForceSink& sink) const override;
   bool hasPotential() const override { return damping_ == 0.0; }
   double potentialEnergy(const Kinematics& k) const override;

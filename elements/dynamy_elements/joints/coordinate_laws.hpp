@@ -33,6 +33,9 @@ class JointStop final : public CoordinateLaw {
  public:
   static void declare(Attributes& a);
   explicit JointStop(const Parameters& x);
+  bool isMirrored(const MirrorPlane& plane) const override {
+    return coordinate().isMirrored(plane, *this) && law_->isMirrored(plane);
+  }
   void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   void describe(Description& d) const override;
@@ -47,6 +50,9 @@ class JointDrive final : public CoordinateLaw {
  public:
   static void declare(Attributes& a);
   explicit JointDrive(const Parameters& x);
+  bool isMirrored(const MirrorPlane& plane) const override {
+    return coordinate().isMirrored(plane, *this);
+  }
   void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   void describe(Description& d) const override;

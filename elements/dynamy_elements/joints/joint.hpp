@@ -12,6 +12,9 @@
 
 namespace dynamy {
 
+/// Throws the ModelError of joints that bodies in one plane cannot have.
+[[noreturn]] void refusePlane(const std::string& hint);
+
 class Joint : public NonSmoothElement {
  public:
   explicit Joint(const Parameters& x);
@@ -22,6 +25,8 @@ class Joint : public NonSmoothElement {
                    JointForces& out) const final;
   bool jointMotion(Topology& topology, JointMotion& out) final;
   void becomeCoordinate() final;
+  /// True: all free motions turn about the normal or slide along the plane.
+  bool keepsPlane(const MirrorPlane& plane) final;
 
   /// Position errors of all rows, without friction [m, –]. For tests and projections.
   std::vector<double> errors(const Kinematics& k) const;
@@ -41,8 +46,6 @@ class Joint : public NonSmoothElement {
   virtual bool freeMotions(const JointStart& /*start*/, std::vector<FreeMotion>& /*out*/) const {
     return false;
   }
-
-  [[noreturn]] static void refusePlane(const std::string& hint);
 
  private:
   JointPose pose(const Kinematics& k) const {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy/core/declared/mirror_plane.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/joints/joint_coordinate.hpp>
 #include <numbers>
@@ -122,6 +123,16 @@ JointCoordinate::JointCoordinate(const Parameters& x)
       reference_(x["reference"].vec3()),
       start_(x["start"]) {
   if (atGiven_) at_ = x["at"].vec3();
+}
+
+bool JointCoordinate::isMirrored(const MirrorPlane& plane, const Element& owner) const {
+  if (axis_.isZero(0.0)) return false;
+  if (angle_) return plane.isNormal(axis_);
+  if (!plane.isAlong(axis_)) return false;
+  if (atGiven_) return plane.contains(at_);
+  FramePair frames = frames_;
+  frames.find(*plane.topology, owner);
+  return plane.contains(StartKinematics(*plane.topology).frame(frames.B).r_OS_I);
 }
 
 void JointCoordinate::connect(Topology& topology, const Element& owner) {

@@ -77,6 +77,8 @@ class JointCoordinate {
   double rate(const Kinematics& k) const { return row_.rate(k); }
   const CoordinateRow& row() const { return row_; }
   bool isAngle() const { return angle_; }
+  /// True: a force in the coordinate leads nothing out of the plane (Element::isMirrored).
+  bool isMirrored(const MirrorPlane& plane, const Element& owner) const;
   /// Signals position and rate.
   void describe(Description& d) const;
   /// One contact of one row with γ = sign ẋ + chi, bias = sign ẍ + chiRate beside Wᵀu̇.

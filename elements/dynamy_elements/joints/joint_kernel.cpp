@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/core/constants.hpp>
+#include <dynamy/core/declared/mirror_plane.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy/law/most_rows.hpp>
 #include <dynamy_elements/joints/joint.hpp>
@@ -102,7 +104,24 @@ bool Joint::jointMotion(Topology& topology, JointMotion& out) {
   return true;
 }
 
-void Joint::refusePlane(const std::string& hint) {
+bool Joint::keepsPlane(const MirrorPlane& plane) {
+  JointMotion motion;
+  return jointMotion(*plane.topology, motion) &&
+         std::all_of(motion.free.begin(), motion.free.end(), [&](const FreeMotion& m) {
+           switch (m.kind) {
+             case FreeMotion::Kind::turn:
+               return plane.isNormal(m.axis_I);
+             case FreeMotion::Kind::slide:
+               return plane.isAlong(m.axis_I);
+             case FreeMotion::Kind::ball:
+               return plane.contains(motion.at_I);
+             default:
+               return false;
+           }
+         });
+}
+
+void refusePlane(const std::string& hint) {
   throw ModelError("the bodies move in one plane: the joint is for bodies in space", hint);
 }
 

@@ -15,6 +15,7 @@ class BeltFriction final : public UnilateralCoulomb {
  public:
   explicit BeltFriction(const Parameters& x);
   static void declare(Attributes& a);
+  bool isMirrored(const MirrorPlane&) const override { return false; }
   /// 2 tanh(μα/2): traction over mean force at which the belt slips  [–].
   static double coefficient(double mu, double wrap);
 };

@@ -51,6 +51,7 @@ class UnilateralStribeck final : public NormalTimesReservoir {
   UnilateralStribeck(double epsilonN, const StribeckCurve& mu) : epsilonN_(epsilonN), mu_(mu) {}
   explicit UnilateralStribeck(const Parameters& x);
   static void declare(Attributes& a);
+  bool isMirrored(const MirrorPlane&) const override { return true; }
   int dim(int geometric) const override { return geometric < 3 ? geometric : 3; }
   void epsilon(int dim, double* epsilon) const override;
   void project(const LawInput& in, double N, const double* r, int k, double* x) const override;

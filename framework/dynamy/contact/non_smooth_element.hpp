@@ -57,6 +57,8 @@ class NonSmoothElement : public Element {
   /// before connect(), with the topology of all bodies. False (default): the joint always remains a
   /// law between its frames.
   virtual bool jointMotion(Topology& /*topology*/, JointMotion& /*out*/) { return false; }
+  /// As isMirrored(), for elements that find out by the bodies they connect. Called before connect().
+  virtual bool keepsPlane(const MirrorPlane& plane) { return isMirrored(plane); }
   /// Makes the motion of the joint a coordinate of a tree: only its laws in the free directions
   /// remain. Called before connect().
   virtual void becomeCoordinate() {}

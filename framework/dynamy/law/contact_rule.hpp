@@ -26,6 +26,9 @@ class ContactRule : public MaterialRule {
   ~ContactRule() override;
   static void declare(Attributes& a);
   void enter(PairLaws& laws) const override;
+  bool isMirrored(const MirrorPlane& plane) const override {
+    return law_ == nullptr || law_->isMirrored(plane);
+  }
   const std::string& materialA() const { return a_; }
   const std::string& materialB() const { return b_; }
   /// Null: the pair is switched off (NoContact).

@@ -24,6 +24,7 @@ class Material final : public MaterialRule {
   explicit Material(const Parameters& x);
   static void declare(Attributes& a);
   void enter(PairLaws& laws) const override;
+  bool isMirrored(const MirrorPlane&) const override { return true; }
   const ContactValues& values() const { return values_; }
 
  private:
@@ -36,6 +37,7 @@ class MixingRule final : public MaterialRule {
   explicit MixingRule(const Parameters& x);
   static void declare(Attributes& a);
   void enter(PairLaws& laws) const override;
+  bool isMirrored(const MirrorPlane&) const override { return true; }
   ContactValues mix(const ContactValues& a, const ContactValues& b) const;
   const std::string& ofFriction() const { return friction_; }
   const std::string& ofRestitution() const { return restitution_; }

@@ -135,6 +135,12 @@ bool PairLaws::meet(const std::string& a, const std::string& b) const {
   return mixing_ != nullptr && material(a) != nullptr && material(b) != nullptr;
 }
 
+const MaterialRule* PairLaws::notMirrored(const MirrorPlane& plane) const {
+  for (const auto& rule : rules_)
+    if (!rule->isMirrored(plane)) return rule.get();
+  return nullptr;
+}
+
 Diagnostic PairLaws::missing(const std::string& a, const std::string& b,
                              const std::set<std::string>& carried) const {
   const std::string between = "between=\"" + a + " " + b + "\"";

@@ -47,6 +47,8 @@ class PairLaws {
   /// b.
   Diagnostic missing(const std::string& a, const std::string& b,
                      const std::set<std::string>& carried) const;
+  /// The first rule that is not its own mirror image (Element::isMirrored); null: all are.
+  const MaterialRule* notMirrored(const MirrorPlane& plane) const;
   /// All answers given so far.
   const std::map<Names, PairLaw>& found() const { return found_; }
   /// Rules that no answer given so far is based on.

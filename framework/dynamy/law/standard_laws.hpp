@@ -27,6 +27,7 @@ class Unilateral final : public SetValuedForceLaw {
   explicit Unilateral(double epsilonN = 0.0) : epsilonN_(epsilonN) {}
   explicit Unilateral(const Parameters& x);
   static void declare(Attributes& a);
+  bool isMirrored(const MirrorPlane&) const override { return true; }
   int dim(int) const override { return 1; }
   bool unilateral() const override { return true; }
   RowKind rowKind(int) const override { return RowKind::normal; }
@@ -49,6 +50,7 @@ class UnilateralCoulomb : public NormalTimesReservoir {
       : epsilonN_(epsilonN), epsilonT_(epsilonT), mu_(mu) {}
   explicit UnilateralCoulomb(const Parameters& x);
   static void declare(Attributes& a);
+  bool isMirrored(const MirrorPlane&) const override { return true; }
   int dim(int geometric) const override { return geometric < 3 ? geometric : 3; }
   void epsilon(int dim, double* epsilon) const override;
   void project(const LawInput& in, double N, const double* r, int k, double* x) const override;

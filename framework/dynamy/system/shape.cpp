@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/css_colour.hpp>
+#include <dynamy/core/declared/mirror_plane.hpp>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy/core/suggestion.hpp>
@@ -96,6 +97,34 @@ Shape::Shape(const Parameters& x)
   if (mass_ > 0.0 && density_ > 0.0)
     throw x["density"].fault("mass and density are both given", "give one of them", 0,
                              x["density"].text.size());
+}
+
+bool Shape::isMirrored(const MirrorPlane& plane_B) const {
+  if (material_.empty()) return true;
+  const Vec3& n = plane_B.n;
+  const bool within = plane_B.contains(Vec3::Zero());
+  const bool acrossZ = plane_B.isNormal(Vec3::UnitZ()), alongZ = plane_B.isAlong(Vec3::UnitZ());
+  if (smooth() != nullptr || ownContact().family != nullptr || !grain_B_.isZero(0.0)) return false;
+  const ShapeGeometry g = geometry();
+  switch (g.type) {
+    case ShapeType::point:
+    case ShapeType::sphere:
+      return within;
+    case ShapeType::box:
+    case ShapeType::ellipsoid:
+      for (int i = 0; i < 3; ++i)
+        if (plane_B.isNormal(Vec3::Unit(i))) return within;
+      return false;
+    case ShapeType::cylinder:
+    case ShapeType::capsule:
+      return within && (acrossZ || alongZ);
+    case ShapeType::cone:
+      return within && alongZ;
+    case ShapeType::halfSpace:
+      return std::abs(n.dot(g.points.front())) <= 16.0 * kEpsilon;
+    default:
+      return false;
+  }
 }
 
 double boundOf(const ShapeGeometry& g) {

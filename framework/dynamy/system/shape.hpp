@@ -75,6 +75,8 @@ class Shape : public Element {
   virtual MassProperties massProperties() const { return {}; }
   /// This shape, if it is a SmoothShape (smooth_shape.hpp); else null.
   virtual const SmoothShape* smooth() const { return nullptr; }
+  /// By its geometry. Pictures are; so are convex bodies whose section has contacts in the plane.
+  bool isMirrored(const MirrorPlane& plane_B) const override;
   /// Family and size of a shape whose contacts its plug-in computes.
   virtual OwnContact ownContact() const { return {}; }
 

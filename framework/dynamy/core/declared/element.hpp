@@ -9,6 +9,7 @@ namespace dynamy {
 
 class Parameters;
 class Description;
+struct MirrorPlane;
 
 /// Base of all elements. Elements are const during a run; what must change (latch, damage) is
 /// `memory` in State.
@@ -21,6 +22,12 @@ class Element {
   /// Names coordinates, signals, shapes on frames and the memory the element needs. Called once in
   /// build().
   virtual void describe(Description&) const {}
+
+  /// True: the element, and a system with its state at the start, is its own mirror image at this
+  /// plane, whatever the rest of the model does in the plane. A model of such elements alone is
+  /// computed in the plane (theory 39.10). For shapes and laws: in axes of the shape, or of any
+  /// contact whose normal lies in the plane. False (default): the element cannot tell.
+  virtual bool isMirrored(const MirrorPlane&) const { return false; }
 
   const std::string& name() const { return name_; }
   const std::string& type() const { return type_; }  ///< registered type name, e.g. "RigidBody"

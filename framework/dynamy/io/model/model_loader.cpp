@@ -178,7 +178,7 @@ std::string documentation(const XmlNode& root) {
 /// Where the program chose coordinates of joints: throws ModelError unless all that is needed exists
 /// in them.
 void requireNeeded(const Model& model, const LoadOptions& options) {
-  if (model.composed.coordinates == 0 ||
+  if ((model.composed.coordinates == 0 && model.composed.flat == 0) ||
       model.simulation.coordinates != JointCoordinates::automatic)
     return;
   const auto refuse = [&](const std::string& name, const std::string& what) {
@@ -237,7 +237,7 @@ Model loadWithJoints(const ModelError& why, Registry& registry, PluginLoader& pl
                      LoadOptions options, const Read& read) {
   options.coordinates = JointCoordinates::absolute;
   Model out = load(registry, plugins, options, read);
-  out.composed.notes.push_back("joints stay constraints, since elements need them: " +
+  out.composed.notes.push_back("bodies keep their own coordinates, since elements need them: " +
                                why.diagnostics().front().text);
   return out;
 }
@@ -272,6 +272,9 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   else if (simulation.coordinatesPlace.line == 0)
     simulation.coordinates = JointCoordinates::automatic;
 
+  simulation.findPlane = options.findPlane && simulation.start == Start::given &&
+                         simulation.coordinates == JointCoordinates::automatic;
+
   // The model stores its title, text and file.
   model.file.name = source.document().name();
   model.doc = documentation(source.document().root());
@@ -289,7 +292,9 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
     build(model, settings, options, source.document(), faults);
   } catch (const ModelError& e) {
     const Composition& made = model.composed;
-    if (simulation.coordinates != JointCoordinates::automatic || made.coordinates == 0) throw;
+    if (simulation.coordinates != JointCoordinates::automatic ||
+        (made.coordinates == 0 && made.flat == 0))
+      throw;
     return loadWithJoints(e, registry, plugins, options, read);
   }
   if (model.simulation.start == Start::equilibrium && options.seek)

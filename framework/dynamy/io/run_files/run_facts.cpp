@@ -72,7 +72,7 @@ void writeSettings(JsonWriter& json, const Model& model, const Given& set) {
   const Composition& c = model.composed;
   json.key("coordinates").beginObject().member("joints", c.coordinates).member("of", c.joints);
   json.member("velocities", c.velocitiesAfter).member("inBodies", c.velocitiesBefore);
-  json.member("rowsSaved", c.rowsSaved).endObject();
+  json.member("rowsSaved", c.rowsSaved).member("flat", c.flat).member("plane", c.plane).endObject();
   json.key("set").beginObject();
   for (const auto& [name, value] : set) json.member(name, value);
   json.endObject().endObject();

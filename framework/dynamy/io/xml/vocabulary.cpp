@@ -50,10 +50,12 @@ Word simulation() {
   a.choice("project", {"none", "positions", "both"}, "none",
            "after a step of any scheme: positions, or velocities as well, are brought back to "
            "joints and contacts in the metric of the mass");
-  a.choice("coordinates", {"auto", "absolute", "minimal"}, "auto",
-           "of bodies with joints: absolute, joints are constraints; minimal, those of the joints "
-           "of a spanning tree, only joints that close loops are constraints; auto, minimal in "
-           "runs to a tolerance wherever nothing speaks against it, which dynamy check tells");
+  a.choice(
+      "coordinates", {"auto", "absolute", "minimal"}, "auto",
+      "of bodies with joints: absolute, joints are constraints; minimal, those of the joints "
+      "of a spanning tree, only joints that close loops are constraints; auto, minimal in "
+      "runs to a tolerance wherever nothing speaks against it, and bodies that move in a plane "
+      "are computed there, which dynamy check tells");
   a.choice(
       "start", {"given", "equilibrium"}, "given",
       "given: as the systems say; equilibrium: the rest, or the steady motion, nearest to that");

@@ -12,6 +12,8 @@ struct Composition {
   int coordinates = 0, joints = 0;
   int velocitiesBefore = 0, velocitiesAfter = 0;
   int rowsSaved = 0;
+  int flat = 0;       ///< bodies that are computed in a plane, with 3 velocities instead of 6
+  std::string plane;  ///< "xy" "xz" "yz"
 
   /// Velocities given at the start that joints of trees do not allow. They are lost as by an impact
   /// of these joints.

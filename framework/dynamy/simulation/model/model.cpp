@@ -68,6 +68,13 @@ std::vector<std::unique_ptr<PartialMechanicalSystem>> Model::takeSystems(
   return out;
 }
 
+const Element* Model::notMirrored(const MirrorPlane& plane) const {
+  for (const auto& force : forces_)
+    if (!force->isMirrored(plane)) return force.get();
+  if (impactLaw_ != nullptr && !impactLaw_->isMirrored(plane)) return impactLaw_.get();
+  return pairLaws_->notMirrored(plane);
+}
+
 void Model::addCompletion(Completion completion) { completions_.push_back(std::move(completion)); }
 
 void Model::build() {

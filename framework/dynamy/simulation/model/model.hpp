@@ -68,6 +68,12 @@ class Model {
   /// one; `indices` are ascending.
   std::vector<std::unique_ptr<PartialMechanicalSystem>> takeSystems(
       const std::vector<int>& indices);
+  /// For completions: puts what `make` makes of system i in its place.
+  template <class Make>
+  void replaceSystem(int i, const Make& make) {
+    std::unique_ptr<PartialMechanicalSystem>& system = systems_[static_cast<std::size_t>(i)];
+    system = make(std::move(system));
+  }
   /// Adds a function that build() calls first. It adds the elements that follow from others, e.g.
   /// contact geometry from shapes.
   void addCompletion(Completion completion);
@@ -122,6 +128,9 @@ class Model {
   void readyScheme() { choice_.ready(length(), simulation); }
   void solver(std::unique_ptr<InclusionSolver> solver);
   const ImpactLaw& impactLaw() const { return *impactLaw_; }
+  /// The first of forces, rules of materials and the impact law that is not its own mirror image
+  /// (Element::isMirrored); null: all are. Before build().
+  const Element* notMirrored(const MirrorPlane& plane) const;
   /// Of the systems, or `simulation.from`.
   State initialState() const;
   /// Length of the scene [m]: extent of initial frame positions and shapes, at least 1e-6; 1 if

@@ -40,6 +40,9 @@ struct SimulationSettings {
   Project project = Project::none;
   JointCoordinates coordinates = JointCoordinates::absolute;
   Place coordinatesPlace;
+  /// True: bodies whose motion stays in a plane, as the structure of the model shows, are computed in
+  /// it (theory 39.10). Their coordinates then are those of the plane.
+  bool findPlane = false;
   Start start = Start::given;
   /// Systems, velocities and coordinates that keep their values where joints correct the start.
   std::vector<std::string> keep;

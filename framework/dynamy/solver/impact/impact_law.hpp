@@ -47,6 +47,7 @@ class NewtonImpact final : public ImpactLaw {
   NewtonImpact() = default;
   explicit NewtonImpact(const Parameters& x) : ImpactLaw(x) {}
   bool newtons() const override { return true; }
+  bool isMirrored(const MirrorPlane&) const override { return true; }
   static void declare(Attributes& a);
 
  protected:

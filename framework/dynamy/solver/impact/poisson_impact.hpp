@@ -65,6 +65,7 @@ class PoissonImpact final : public TwoPhaseImpact {
  public:
   PoissonImpact() = default;
   explicit PoissonImpact(const Parameters& x) : TwoPhaseImpact(x) {}
+  bool isMirrored(const MirrorPlane&) const override { return true; }
   static void declare(Attributes& a);
 
  protected:

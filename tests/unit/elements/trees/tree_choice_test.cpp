@@ -137,7 +137,8 @@ TEST(TreeChoice, IsNoReasonToRefuseAModel) {
   const Model asked = load("k.angle", "b.Omega_y"), forced = load("h.lambda_T1", "a.joint.angle");
   for (const Model* m : {&asked, &forced}) {
     EXPECT_EQ(m->composed.coordinates, 0);
-    EXPECT_NE(m->composed.notes.back().find("joints stay constraints, since elements need them"),
+    EXPECT_NE(m->composed.notes.back().find(
+                  "bodies keep their own coordinates, since elements need them"),
               std::string::npos);
   }
 }
