@@ -225,6 +225,25 @@ Plane::Plane(const std::string& word) {
   n = e1.cross(e2);
 }
 
+void placeInPlane(const Plane& plane, ConstVec q, ConstVec u, double across, const Mat3& A,
+                  Frame& out) {
+  out.block = 0;
+  out.r_OS_I[plane.a] = q[0], out.r_OS_I[plane.b] = q[1], out.r_OS_I[plane.rest()] = across;
+  out.A_IK = A;
+  out.v_S_I = u[0] * plane.e1 + u[1] * plane.e2;
+  out.Omega_I = u[2] * plane.n;
+  out.nu_S_I.setZero(), out.nu_R_I.setZero();
+  out.bias_S_I.setZero(), out.bias_R_I.setZero();
+  out.J_S_I.setZero(), out.J_R_I.setZero();
+  out.J_S_I.col(0) = plane.e1, out.J_S_I.col(1) = plane.e2;
+  out.J_R_I.col(2) = plane.n;
+}
+
+void turningArm(const Plane& plane, const Vec3& rho_I, const Vec3& F_I, Block K) {
+  K.setZero();
+  K(2, 2) = (plane.n.dot(rho_I) * plane.n - rho_I).dot(F_I);
+}
+
 void expectInPlane(const ParameterValue& value, const Plane& plane) {
   const double out = value.numbers[static_cast<std::size_t>(plane.rest())];
   if (out == 0.0) return;

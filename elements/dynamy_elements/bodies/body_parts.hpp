@@ -102,6 +102,14 @@ struct Plane {
   int rest() const { return 3 - a - b; }
 };
 
+/// Frame at S of a body with q = (c1, c2, φ), u = (v1, v2, ω) in the plane. `across`: place of S along
+/// the coordinate that does not move [m]; `A`: axes of the body.
+void placeInPlane(const Plane& plane, ConstVec q, ConstVec u, double across, const Mat3& A,
+                  Frame& out);
+/// Stiffness of a force F_I at the lever arm rho_I from S, which turns with the body:
+/// δ(n × ρ) = n × (n × ρ) δφ = (n n·ρ − ρ) δφ.
+void turningArm(const Plane& plane, const Vec3& rho_I, const Vec3& F_I, Block K);
+
 /// Throws ModelError unless the component of the attribute out of the plane is zero.
 void expectInPlane(const ParameterValue& value, const Plane& plane);
 

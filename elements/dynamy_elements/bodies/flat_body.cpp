@@ -100,25 +100,12 @@ void FlatBody::ownState(const RigidMotion& motion, Vec q, Vec u) const {
 
 void FlatBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, const Vec3&,
                               Block K) const {
-  // As of a PlanarBody: the lever arm turns.
-  const Vec3 rho_I = turn(q[2]) * frames_[static_cast<std::size_t>(id)].rho;
-  K.setZero();
-  K(2, 2) = (plane_.n.dot(rho_I) * plane_.n - rho_I).dot(F_I);
+  turningArm(plane_, turn(q[2]) * frames_[static_cast<std::size_t>(id)].rho, F_I, K);
 }
 
 void FlatBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
   const Fixed& fixed = frames_[static_cast<std::size_t>(id)];
-  out.block = 0;
-  out.r_OS_I = S_;
-  out.r_OS_I[plane_.a] = q[0], out.r_OS_I[plane_.b] = q[1];
-  out.A_IK = turn(q[2]);
-  out.v_S_I = u[0] * plane_.e1 + u[1] * plane_.e2;
-  out.Omega_I = u[2] * plane_.n;
-  out.nu_S_I.setZero(), out.nu_R_I.setZero();
-  out.bias_S_I.setZero(), out.bias_R_I.setZero();
-  out.J_S_I.setZero(), out.J_R_I.setZero();
-  out.J_S_I.col(0) = plane_.e1, out.J_S_I.col(1) = plane_.e2;
-  out.J_R_I.col(2) = plane_.n;
+  placeInPlane(plane_, q, u, S_[plane_.rest()], turn(q[2]), out);
   shiftFrame(out, out.A_IK * fixed.rho, fixed.A);
 }
 

@@ -91,10 +91,7 @@ void PlanarBody::moveTangent(ConstVec, double, Block T) const { T.setIdentity();
 
 void PlanarBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, const Vec3&,
                                 Block K) const {
-  // The lever arm turns: δ(n × ρ) = n × (n × ρ) δφ = (n n·ρ − ρ) δφ.
-  const Vec3 rho_I = axes(q[2]) * (parts_.position(id) - r_BS_K_);
-  K.setZero();
-  K(2, 2) = (plane_.n.dot(rho_I) * plane_.n - rho_I).dot(F_I);
+  turningArm(plane_, axes(q[2]) * (parts_.position(id) - r_BS_K_), F_I, K);
 }
 
 RigidPart PlanarBody::rigidPart() const {
@@ -108,18 +105,8 @@ void PlanarBody::ownState(const RigidMotion& motion, Vec q, Vec u) const {
 }
 
 void PlanarBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
-  out.block = 0;
   // Normal to the plane, S stays where the body's origin was put; its offset has no effect there.
-  out.r_OS_I[plane_.a] = q[0], out.r_OS_I[plane_.b] = q[1];
-  out.r_OS_I[plane_.rest()] = r_OB_I_[plane_.rest()] + r_BS_K_[plane_.rest()];
-  out.A_IK = axes(q[2]);
-  out.v_S_I = u[0] * plane_.e1 + u[1] * plane_.e2;
-  out.Omega_I = u[2] * plane_.n;
-  out.nu_S_I.setZero(), out.nu_R_I.setZero();
-  out.bias_S_I.setZero(), out.bias_R_I.setZero();
-  out.J_S_I.setZero(), out.J_R_I.setZero();
-  out.J_S_I.col(0) = plane_.e1, out.J_S_I.col(1) = plane_.e2;
-  out.J_R_I.col(2) = plane_.n;
+  placeInPlane(plane_, q, u, r_OB_I_[plane_.rest()] + r_BS_K_[plane_.rest()], axes(q[2]), out);
   shiftFrame(out, out.A_IK * (parts_.position(id) - r_BS_K_), parts_.axes(id));
 }
 
