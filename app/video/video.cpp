@@ -1,12 +1,10 @@
 #include "video/video.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <dynamy/io/files/file_error.hpp>
 #include <dynamy/io/files/output_file.hpp>
@@ -15,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "run/progress.hpp"
 #include "shell_text.hpp"
 #include "video/browser.hpp"
 
@@ -42,12 +41,22 @@ std::string fromBase64(std::string_view text) {
   return out;
 }
 
-/// The share that is done, on a terminal.
-void tell(double share) {
-  if (::isatty(STDERR_FILENO) == 0) return;
-  fmt::print(stderr, "\r {:3.0f} % of the film{}", 100 * share, share >= 1 ? "\r\033[K" : "");
-  std::fflush(stderr);
-}
+/// The share of the film that is done, and how long the rest takes.
+class Making {
+ public:
+  void tell(double share) {
+    if (!line_.due()) return;
+    const double passed = line_.seconds();
+    line_.show(share,
+               fmt::format("of the film{}",
+                           share > 0 ? ", " + durationText(passed / share - passed) + " to go"
+                                     : std::string()));
+  }
+  void end() { line_.end(); }
+
+ private:
+  StatusLine line_{false};
+};
 
 /// Shows the page until its script has read the run.
 void openReplay(Browser& browser, const fs::path& replay, const std::string& look) {
@@ -84,7 +93,7 @@ int begin(Browser& browser, const VideoChoice& choice) {
 }
 
 /// A film that the page codes by itself.
-std::string coded(Browser& browser, const std::string& kind) {
+std::string coded(Browser& browser, const std::string& kind, Making& making) {
   using namespace std::chrono_literals;
   constexpr std::size_t kSlice = 8'000'000;
   browser.evaluate("void (window.made = null, window.wrong = '', window.replay.studio.file('" +
@@ -97,7 +106,7 @@ std::string coded(Browser& browser, const std::string& kind) {
     char* end = nullptr;
     const double share = std::strtod(state.c_str(), &end);
     if (*end != '\0') throw FileError(kind, "the browser cannot make the film: " + state);
-    tell(share);
+    making.tell(share);
     std::this_thread::sleep_for(100ms);
   }
   std::string out;
@@ -110,21 +119,21 @@ std::string coded(Browser& browser, const std::string& kind) {
 }
 
 /// The pictures as PNG files in a folder.
-void writePictures(Browser& browser, int count, const fs::path& folder) {
+void writePictures(Browser& browser, int count, const fs::path& folder, Making& making) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WriteError(folder.string(), "cannot create the folder: " + error.message());
   for (int i = 0; i < count; ++i) {
     writeWholeFile(folder / fmt::format("{:05d}.png", i + 1),
                    fromBase64(browser.evaluate(fmt::format("window.replay.studio.take({})", i))));
-    tell((i + 1.0) / count);
+    making.tell((i + 1.0) / count);
   }
 }
 
 /// Lets ffmpeg make an MP4 of pictures. If it is not there, the pictures remain.
-void writeMp4(Browser& browser, int count, const VideoChoice& choice) {
+void writeMp4(Browser& browser, int count, const VideoChoice& choice, Making& making) {
   const fs::path file = choice.file, pictures = fs::path(file).replace_extension();
-  writePictures(browser, count, pictures);
+  writePictures(browser, count, pictures, making);
   const std::string command = fmt::format(
       "ffmpeg -y -loglevel error -framerate {} -i {} -c:v libx264 -pix_fmt yuv420p -crf 20 {}",
       choice.fps, shellQuoted((pictures / "%05d.png").string()), shellQuoted(file.string()));
@@ -190,13 +199,14 @@ void writeVideo(const fs::path& replay, const VideoChoice& choice) {
   Browser browser(choice.width, choice.height);
   openReplay(browser, replay, choice.look);
   const int count = begin(browser, choice);
+  Making making;
   if (ending == ".gif" || ending == ".webm")
-    writeWholeFile(choice.file, coded(browser, ending.substr(1)));
+    writeWholeFile(choice.file, coded(browser, ending.substr(1), making));
   else if (ending == ".mp4")
-    writeMp4(browser, count, choice);
+    writeMp4(browser, count, choice, making);
   else
-    writePictures(browser, count, choice.file);
-  tell(1.0);
+    writePictures(browser, count, choice.file, making);
+  making.end();
 }
 
 }  // namespace dynamy::app
