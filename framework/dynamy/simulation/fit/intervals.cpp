@@ -20,7 +20,11 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 double quantile(bool estimated, int freedom) {
   if (!estimated) return kNormal;
-  return boost::math::quantile(boost::math::students_t(std::max(freedom, 1)), 0.975);
+  // In double: tables that boost fills in long double when the library is loaded end every program
+  // under Valgrind, whose long double is one of 64 bits.
+  using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+  return boost::math::quantile(
+      boost::math::students_t_distribution<double, InDouble>(std::max(freedom, 1)), 0.975);
 }
 
 Intervals::Intervals(FitProblem& problem, const Information& information, const Eigen::VectorXd& x,
