@@ -159,26 +159,59 @@ void addSides(Gradient& out, std::size_t i, const RunDifferences& runs,
   }
 }
 
-/// Replaces derivatives by parameter i that are less accurate than they should be by differences of
-/// order 4, where these have smaller errors.
-void refine(Gradient& out, std::size_t i, const RunDifferences& runs, const RunDifferences& looser,
-            const Varied& by, double size) {
-  constexpr double kWanted = 1e-8;          // of max(|d|, |v/p|)
-  constexpr double kWeights = 18.0 / 12.0;  // sum of those of (53.4), times δ
-  const bool good = std::all_of(out.values.begin(), out.values.end(), [&](const GradientValue& v) {
-    return !(v.dError[i] > kWanted * std::max(std::abs(v.d[i]), std::abs(v.value) / size));
-  });
-  if (good) return;
-  const std::vector<double> d = runs.byFour(by, size);
-  const std::vector<double> rough = d.empty() ? d : looser.byFour(by, size);
-  for (std::size_t k = 0; k < rough.size(); ++k) {
-    GradientValue& v = out.values[k];
-    const double rounding = kWeights * RunDifferences::kRounding * runs.nominal().sizes[k] /
-                            (RunDifferences::kWideDelta * size);
-    const double error = std::abs(rough[k] - d[k]) + rounding;
-    if (error < v.dError[i]) v.d[i] = d[k], v.dError[i] = error;
+/// Replaces derivatives that are less accurate than they should be by differences of order 4, where
+/// these have smaller errors. That of the integration remains; where it is the larger part, the runs
+/// of order 4 to the smaller tolerance are saved, and after three such parameters all of them.
+class Refinement {
+ public:
+  Refinement(const RunDifferences& runs, const RunDifferences& looser)
+      : runs_(runs), looser_(looser) {}
+  /// For parameter i. `rough`: its derivatives by the looser runs.
+  void refine(Gradient& out, std::size_t i, const std::vector<double>& rough, const Varied& by,
+              double size) {
+    if (vain_ >= kPatience || !wanted(out, i, size)) return;
+    const std::vector<double> rough4 = looser_.byFour(by, size);
+    if (rough4.empty()) return;
+    if (!helps(out, i, rough, rough4)) {
+      ++vain_;
+      return;
+    }
+    vain_ = 0;
+    const std::vector<double> d = runs_.byFour(by, size);
+    for (std::size_t k = 0; k < d.size(); ++k) {
+      GradientValue& v = out.values[k];
+      const double rounding = kWeights * RunDifferences::kRounding * runs_.nominal().sizes[k] /
+                              (RunDifferences::kWideDelta * size);
+      const double error = std::abs(rough4[k] - d[k]) + rounding;
+      if (error < v.dError[i]) v.d[i] = d[k], v.dError[i] = error;
+    }
   }
-}
+
+ private:
+  static constexpr int kPatience = 3;
+  static constexpr double kWeights = 18.0 / 12.0;  // sum of those of (53.4), times δ
+
+  static bool wanted(const Gradient& out, std::size_t i, double size) {
+    constexpr double kWanted = 1e-8;  // of max(|d|, |v/p|)
+    return std::any_of(out.values.begin(), out.values.end(), [&](const GradientValue& v) {
+      return v.dError[i] > kWanted * std::max(std::abs(v.d[i]), std::abs(v.value) / size);
+    });
+  }
+  /// Order 4 moves a derivative of the looser runs, or takes rounding away, by a part of its error that
+  /// is worth it.
+  bool helps(const Gradient& out, std::size_t i, const std::vector<double>& rough,
+             const std::vector<double>& rough4) const {
+    constexpr double kPart = 0.25;
+    for (std::size_t k = 0; k < rough4.size(); ++k) {
+      const double rounding = RunDifferences::kRounding * runs_.nominal().sizes[k] / runs_.delta();
+      if (std::abs(rough4[k] - rough[k]) + rounding > kPart * out.values[k].dError[i]) return true;
+    }
+    return false;
+  }
+
+  const RunDifferences &runs_, &looser_;
+  int vain_ = 0;  ///< parameters in a row that order 4 did not help
+};
 
 /// Adds the error of the values to that of their derivatives by parameter i, in proportion
 /// (theory 53.2): runs to two tolerances may agree by chance.
@@ -204,6 +237,7 @@ Gradient gradient(const ModelMaker& make, GradientRequest request) {
   refuseMissing(model, request, runs.nominal());
   RunDifferences looser = differences(make, request, model, kLooser * request.tolerance, kWider);
   addValues(out, runs.nominal(), looser.nominal());
+  Refinement refinement(runs, looser);
   for (std::size_t i = 0; i < request.by.size(); ++i) {
     out.by.push_back(request.by[i].first);
     const double size = request.by[i].second != 0.0 ? std::abs(request.by[i].second) : 1.0;
@@ -219,7 +253,7 @@ Gradient gradient(const ModelMaker& make, GradientRequest request) {
       out.values[k].dError.push_back(good ? std::abs(rough[k] - d[k]) + rounding : kNone);
     }
     if (good) {
-      refine(out, i, runs, looser, request.by[i], size);
+      refinement.refine(out, i, rough, request.by[i], size);
       addErrorOfRun(out, i, size);
     } else {
       addSides(out, i, runs, looser, request.by[i], size);
