@@ -41,6 +41,45 @@ double enoughAfter(int turn) {
   return turn >= kLastPatience ? kNearEnough : turn >= kPatience ? kLast : 0.0;
 }
 
+/// The tangent of each turn of Newton's iteration.
+struct TangentChoice {
+  JointNewton::Tangent tangent = JointNewton::Tangent::closedForm;
+  bool fresh = true;  ///< the next turn takes a new one
+
+  /// True: a correction of `way` lengths, `rate` times the one before, is the last one.
+  bool isLast(JointNewton::Tangent used, int turn, double way, double rate) const {
+    const bool closed = used == JointNewton::Tangent::closedForm;
+    return (fresh && way <= (closed ? kLastClosed : kLast)) || way <= enoughAfter(turn) ||
+           (way <= kLast && rate * way <= kLeftOfWay);
+  }
+  /// The present correction shows how good the tangent of the turn before was. If differences are no
+  /// better, the turning of contacts is missing in it.
+  void follow(JointNewton::Tangent used, int turn, double rate) {
+    using Tangent = JointNewton::Tangent;
+    const bool slow = turn > 0 && rate > kSlow;
+    if (slow && (wasFresh_ || used == Tangent::masses)) {
+      differencesHelp_ = differencesHelp_ && used != Tangent::differences;
+      tangent = differencesHelp_ ? Tangent::differences : Tangent::closedForm;
+    }
+    wasFresh_ = fresh;
+    fresh = slow || (used == Tangent::closedForm && rate > kFresh);
+  }
+  void startAgain() {
+    tangent = JointNewton::Tangent::differences, fresh = true, wasFresh_ = false;
+  }
+
+ private:
+  bool wasFresh_ = false, differencesHelp_ = true;
+};
+
+/// Takes over what a turn found whose correction was `way` lengths.
+void takeOver(const SolveReport& turn, double way, SolveReport& report) {
+  report.residuals = turn.residuals;
+  report.residuals.Eu = std::max(turn.residuals.Eu, way);
+  report.status = turn.status;
+  report.energyGain = turn.energyGain, report.repaired = turn.repaired;
+}
+
 /// A force that is not finite ends the run, with an error that names its system.
 void passOnFaults(const Eigen::VectorXd& h, Eigen::VectorXd& v) {
   for (Eigen::Index k = 0; k < h.size(); ++k)
@@ -188,53 +227,48 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
   contacts_.begin(s, x, dt);
   contacts_.select(s, x, equations.v, dt);
   double before = 0.0, least = std::numeric_limits<double>::infinity();
-  bool fresh = true, wasFresh = false, differencesHelp = true;
   int unsolved = 0, idle = 0;
-  auto tangent = JointNewton::Tangent::closedForm;
+  TangentChoice choice;
+  vStart_ = equations.v, LambdaStart_ = equations.Lambda;
   for (int turn = 0; turn < kMostNewtonTurns; ++turn) {
     equations.evaluate(s, contacts_.impulse());
     contacts_.select(s, x, equations.v, dt);
     ++report.iterations;
-    if (fresh) {
+    if (choice.fresh) {
       ++report.newton;
-      if (!newton_.linearise(s, contacts_.impulse(), tangent)) {
+      if (!newton_.linearise(s, contacts_.impulse(), choice.tangent)) {
         passOnFaults(s.slot(0).h, equations.v);
         break;
       }
     }
     newton_.newtonStep();
     const double ahead = dt * newton_.dv.cwiseAbs().maxCoeff() / length;
-    if (turn > 0 && !(ahead <= kTooFar)) break;
-    const SolveReport inner = contacts_.solve(s, solver, x, newton_, worth(ahead));
-    newton_.take();
-    const double way = dt * newton_.dv.cwiseAbs().maxCoeff();
-    report.residuals = inner.residuals;
-    report.residuals.Eu = std::max(inner.residuals.Eu, way / length);
-    report.status = inner.status;
-    report.energyGain = inner.energyGain, report.repaired = inner.repaired;
-    unsolved += inner.ok() ? 0 : 1;
-    if (unsolved == kMostUnsolved || !std::isfinite(way) || way > kLost * length) break;
-    const double rate = turn > 0 ? way / before : 1.0;
-    const bool closed = newton_.tangent() == JointNewton::Tangent::closedForm;
-    const bool last = fresh && way <= (closed ? kLastClosed : kLast) * length;
-    if (last || way <= enoughAfter(turn) * length ||
-        (way <= kLast * length && rate * way <= kLeftOfWay * length)) {
+    bool lost = turn > 0 && !(ahead <= kTooFar);
+    double way = 0.0, rate = 1.0;
+    if (!lost) {
+      const SolveReport inner = contacts_.solve(s, solver, x, newton_, worth(ahead));
+      newton_.take();
+      way = dt * newton_.dv.cwiseAbs().maxCoeff();
+      if (turn > 0) rate = way / before;
+      takeOver(inner, way / length, report);
+      unsolved += inner.ok() ? 0 : 1;
+      lost = unsolved == kMostUnsolved || !std::isfinite(way) || way > kLost * length;
+    }
+    // Masses alone lead nowhere where forces of joints turn fast: differences start from the beginning.
+    if (newton_.tangent() == JointNewton::Tangent::masses && (lost || rate > 1.0)) {
+      equations.v = vStart_, equations.Lambda = LambdaStart_;
+      choice.startAgain(), unsolved = 0, turn = -1;
+      continue;
+    }
+    if (lost) break;
+    if (choice.isLast(newton_.tangent(), turn, way / length, rate)) {
       equations.evaluate(s, contacts_.impulse());
       if (!contacts_.misses(s, x, equations.v)) return report;
     }
     idle = way < 0.5 * least ? 0 : idle + 1;
     if (idle == 0) least = way;
     if (idle == kMostIdle) break;
-    // The present correction shows how good the tangent of the turn before was. If differences are
-    // no better, the turning of contacts is missing in it.
-    const bool slow = turn > 0 && rate > kSlow;
-    if (slow && wasFresh) {
-      differencesHelp = differencesHelp && closed;
-      tangent =
-          differencesHelp ? JointNewton::Tangent::differences : JointNewton::Tangent::closedForm;
-    }
-    wasFresh = fresh, before = way;
-    fresh = slow || (tangent == JointNewton::Tangent::closedForm && rate > kFresh);
+    choice.follow(newton_.tangent(), turn, rate), before = way;
   }
   if (report.status == SolveStatus::solved) report.status = SolveStatus::maxIterations;
   equations.evaluate(s, contacts_.impulse());

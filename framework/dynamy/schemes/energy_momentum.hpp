@@ -54,6 +54,8 @@ class EnergyMomentum final : public OneStep {
   bool halvingHelps_ = true;  // no part of the smallest length has failed in this step
   int most_ = kMostHalvings;
   State start_[kMostHalvings + 1], xA_;
+  Eigen::VectorXd vStart_;  // where Newton's iteration starts
+  std::vector<double> LambdaStart_;
   bool project_ = false;
   Projection projection_;
   Jump jump_;

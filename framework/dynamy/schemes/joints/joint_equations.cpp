@@ -95,6 +95,7 @@ void JointEquations::startFrom(const RememberedImpulses& last, const ContactSet&
 void JointEquations::setJointForces(const Evaluation& e) {
   const ContactSet& c = e.contacts;
   force_.setZero();
+  if (joints_.empty()) return;
   e.mass.apply(view(std::as_const(v)), view(momentum_));
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const int i = joints_[k], dim = c.dim(i), row0 = graph_.row0(static_cast<int>(k));
@@ -121,6 +122,20 @@ void JointEquations::setJointForces(const Evaluation& e) {
   }
 }
 
+/// Sets R_g, and mean rates, from the joints at q^E.
+void JointEquations::setGaps(MechanicalSystem& s) {
+  const ContactSet& atEnd =
+      s.evaluate(end, {.slot = 1, .elements = elements_, .withheld = damped_.withheld()}).contacts;
+  findJoints(atEnd, endJoints_);
+  for (std::size_t k = 0; k < endJoints_.size(); ++k)
+    for (int r = 0; r < atEnd.dim(endJoints_[k]); ++r) {
+      const auto row = static_cast<std::size_t>(graph_.row0(static_cast<int>(k)) + r);
+      const double g = atEnd.position[atEnd.row0[endJoints_[k]] + r];
+      R.g[row] = (g - aim_[row]) / dt_;
+      R.meanRate[row] = g / dt_ - gA_[row] / dt_;
+    }
+}
+
 void JointEquations::evaluate(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
                               Search search) {
   const Eigen::Index nu = v.size();
@@ -136,16 +151,9 @@ void JointEquations::evaluate(MechanicalSystem& s, const Eigen::VectorXd& contac
   else
     atMidpoint.elements = elements_;
   const Evaluation& e = s.evaluate(midpoint, atMidpoint);
-  const ContactSet& atEnd =
-      s.evaluate(end, {.slot = 1, .elements = elements_, .withheld = damped_.withheld()}).contacts;
-  findJoints(e.contacts, joints_), findJoints(atEnd, endJoints_);
-  for (std::size_t k = 0; k < endJoints_.size(); ++k)
-    for (int r = 0; r < atEnd.dim(endJoints_[k]); ++r) {
-      const auto row = static_cast<std::size_t>(graph_.row0(static_cast<int>(k)) + r);
-      const double g = atEnd.position[atEnd.row0[endJoints_[k]] + r];
-      R.g[row] = (g - aim_[row]) / dt_;
-      R.meanRate[row] = g / dt_ - gA_[row] / dt_;
-    }
+  findJoints(e.contacts, joints_);
+  endJoints_.clear();
+  if (rows() > 0) setGaps(s);
   setJointForces(e);
   change_ = 2.0 * (v - xA_->u);
   e.mass.apply(view(std::as_const(change_)), view(momentum_));

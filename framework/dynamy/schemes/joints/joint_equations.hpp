@@ -60,6 +60,7 @@ class JointEquations {
   void startFrom(const RememberedImpulses& last, const ContactSet& c);
   void boundQuotients(const Evaluation& e);
   void setAim(const MechanicalSystem& s);
+  void setGaps(MechanicalSystem& s);
   void setJointForces(const Evaluation& e);
 
   const State* xA_ = nullptr;

@@ -11,6 +11,8 @@ constexpr double kTangentDifference = 1e-7;
 /// Share of a joint's own stiffness on the diagonal of its rows. It makes K regular with redundant
 /// joints; Newton's residual does not contain it.
 constexpr double kRegular = 1e-10;
+/// Share of the velocities of its bodies above which a row has a rate of its own.
+constexpr double kStill = 1e-6;
 /// Multiplications in the time of a visit of a contact by a solver (theory 37.7).
 constexpr double kOfVisit = 150.0;
 
@@ -19,16 +21,18 @@ constexpr double kOfVisit = 150.0;
 bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
                             Tangent wanted) {
   counted_ = s.limits.work;
-  K_.reset(unknowns(), walk().band(), walk().ends());
-  addJointColumns(s.slot(0));
+  const auto begin = [&] {
+    K_.reset(unknowns(), walk().band(), walk().ends());
+    addJointColumns(s.slot(0));
+  };
+  begin();
+  tangent_ = wanted;
   if (wanted == Tangent::closedForm && offered_) {
     offered_ = closedForm(s);
-    if (!offered_) {  // the incomplete matrix is dropped
-      K_.reset(unknowns(), walk().band(), walk().ends());
-      addJointColumns(s.slot(0));
-    }
+    if (!offered_) begin();  // the incomplete matrix is dropped
   }
-  tangent_ = wanted == Tangent::closedForm && offered_ ? wanted : Tangent::differences;
+  if (wanted == Tangent::closedForm && !offered_) tangent_ = Tangent::masses;
+  if (tangent_ == Tangent::masses && !masses(s)) begin(), tangent_ = Tangent::differences;
   if (tangent_ == Tangent::differences) {
     differences(s, contactImpulse);
     if (fault_.empty()) fault_ = rowWithoutPosition(s);
@@ -52,7 +56,7 @@ void JointNewton::addJointColumns(const Evaluation& e) {
   const std::vector<int>& joints = equations.joints();
   const Eigen::VectorXd& v = equations.v;
   momentum_.resize(v.size());
-  e.mass.apply(view(v), view(momentum_));
+  if (!joints.empty()) e.mass.apply(view(v), view(momentum_));
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const int i = joints[k], first = walk().joint(k);
     const double* meanRate =
@@ -92,9 +96,7 @@ bool JointNewton::closedForm(const MechanicalSystem& s) {
     for (int i = 0; i < graph.nu(b); ++i)
       for (int j = 0; j < graph.nu(b); ++j) K_.at(first + i, first + j) += K(i, j);
   }
-  equations.damped().forEach(s.slot(0).mass, [this](int a, int i, int b, int j, double value) {
-    K_.at(walk().block(a) + i, walk().block(b) + j) += value;
-  });
+  addDamped(s);
   const std::vector<int>&joints = equations.joints(), &atEnd = equations.jointsAtEnd();
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const int row0 = graph.row0(static_cast<int>(k)),
@@ -114,6 +116,47 @@ bool JointNewton::closedForm(const MechanicalSystem& s) {
             K_.at(first + i, column + j) -= parts_.ofForce(a, b)(i, j);
         }
       }
+    }
+  }
+  return true;
+}
+
+void JointNewton::addDamped(const MechanicalSystem& s) {
+  equations.damped().forEach(s.slot(0).mass, [this](int a, int i, int b, int j, double value) {
+    K_.at(walk().block(a) + i, walk().block(b) + j) += value;
+  });
+}
+
+/// 2M, and W of the joints at q^E: what is left when forces and W are held. False: a row moves
+/// without its position, which differences look at.
+bool JointNewton::masses(const MechanicalSystem& s) {
+  const MechanismGraph& graph = equations.graph();
+  for (int b = 0; b < graph.blocks(); ++b) {
+    const int first = walk().block(b);
+    const ConstBlock M = s.slot(0).mass.M(b);
+    for (int i = 0; i < graph.nu(b); ++i)
+      for (int j = 0; j < graph.nu(b); ++j) K_.at(first + i, first + j) += 2.0 * M(i, j);
+  }
+  addDamped(s);
+  const ContactSet& c = s.slot(1).contacts;
+  const std::vector<int>& atEnd = equations.jointsAtEnd();
+  for (std::size_t k = 0; k < atEnd.size(); ++k) {
+    const auto i = static_cast<std::size_t>(atEnd[k]);
+    for (int r = 0; r < c.dim(atEnd[k]); ++r) {
+      const int row = walk().joint(static_cast<int>(k)) + r;
+      double rate = c.chi[static_cast<std::size_t>(c.row0[i] + r)], size = std::abs(rate);
+      for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
+        const Segment& seg = c.segment[static_cast<std::size_t>(m)];
+        const double* w = c.W.data() + seg.w + static_cast<std::ptrdiff_t>(r) * seg.nu;
+        for (int j = 0; j < seg.nu; ++j) {
+          K_.at(row, walk().block(seg.block) + j) += w[j];
+          const double part = w[j] * equations.v[seg.u0 + j];
+          rate += part, size += std::abs(part);
+        }
+      }
+      const double moved =
+          equations.R.meanRate[static_cast<std::size_t>(graph.row0(static_cast<int>(k)) + r)];
+      if (moved == 0.0 && std::abs(rate) > kStill * size) return false;
     }
   }
   return true;

@@ -4,9 +4,10 @@
 ///   K (δv, δΛ) = −R,   K = ∂R/∂(v, Λ)
 ///
 /// K must contain the turning of W with v; without it heavy chains diverge. Bodies and joints may
-/// offer these terms in closed form (moveTangent, frameStiffness, jointForces). If one does not, K
-/// is taken by differences, so that elements need not provide second derivatives. All bodies of one
-/// colour are then moved at once. K is a band matrix (MechanismGraph).
+/// offer these terms in closed form (moveTangent, frameStiffness, jointForces). If one does not,
+/// elements need not provide second derivatives: K consists of masses and W at first, and where that
+/// does not converge fast it is taken by differences, which move all bodies of one colour at once.
+/// K is a band matrix (MechanismGraph).
 #pragma once
 #include <algorithm>
 #include <dynamy/schemes/joints/banded_lu.hpp>
@@ -27,9 +28,10 @@ struct ContactResponse {
 
 class JointNewton {
  public:
-  /// How K is found: in closed form where all bodies and joints offer it, else by differences.
-  enum class Tangent { closedForm, differences };
-  /// Computes and factorises K at the last residual; false: K is singular.
+  /// How K is found: in closed form where all bodies and joints offer it; of masses and W alone; by differences.
+  enum class Tangent { closedForm, masses, differences };
+  /// Computes and factorises K at the last residual; false: K is singular. `wanted`: closedForm, or
+  /// masses in its place; or differences.
   bool linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
                  Tangent wanted = Tangent::closedForm);
   /// Set by linearise(): why positions cannot hold these joints, with the element's name; empty:
@@ -61,6 +63,8 @@ class JointNewton {
   void add(const MechanismWalk::Node& n, const double* x, int stride, double factor);
   void addJointColumns(const Evaluation& e);
   bool closedForm(const MechanicalSystem& s);
+  bool masses(const MechanicalSystem& s);
+  void addDamped(const MechanicalSystem& s);
   void differences(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
   void addColumn(int block, int column, double perturbation);
   std::string rowWithoutPosition(const MechanicalSystem& s);

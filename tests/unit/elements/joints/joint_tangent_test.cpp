@@ -88,12 +88,12 @@ TEST(JointTangentInAPlane, OfRodsAndAPointMassIsThatOfDifferences) {
             "<Distance between=\"rod bob\" pointA=\"0.5 0 0\"/>"));
 }
 
-TEST(JointTangentRefused, IsTakenByDifferences) {
+TEST(JointTangentRefused, IsThatOfMasses) {
   // Coordinates do not offer theirs.
   reference::Scene scene("double_pendulum");
   std::vector<std::vector<double>> out;
   EXPECT_EQ(responses(scene, 1e-3, JointNewton::Tangent::closedForm, out),
-            JointNewton::Tangent::differences);
+            JointNewton::Tangent::masses);
 }
 
 }  // namespace
