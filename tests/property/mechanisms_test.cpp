@@ -27,10 +27,11 @@ class RandomMechanism {
                    "\" pointA=\"" + vector({in(-0.5, 0.5), across(), 0.7}) + "\" pointB=\"" +
                    vector({0.1, 0.0, in(-0.1, 0.1)}) + "\"/>";
   }
-  std::string text(const std::string& coordinates) const {
+  std::string text(const std::string& coordinates,
+                   const std::string& method = "tolerance=\"1e-9\"") const {
     return "<dynamy version=\"1\"><systems><Ground name=\"world\"/>" + bodies_ +
            "</systems><forces>" + (weight_ ? "<Gravity/>" : "") + forces_ + "</forces><elements>" +
-           elements_ + "</elements><simulation until=\"0.5\" tolerance=\"1e-9\" coordinates=\"" +
+           elements_ + "</elements><simulation until=\"0.5\" " + method + " coordinates=\"" +
            coordinates + "\"/><record signals=\"" + signals_ +
            "\" every=\"0.5\" frames=\"0\"/></dynamy>";
   }
@@ -139,6 +140,43 @@ void expectAlike(unsigned first, unsigned last, int leastCompared) {
     EXPECT_LT(off, 1e-6) << seed << '\n' << mechanism.text("auto");
   }
   EXPECT_GE(compared, leastCompared);
+}
+
+double largestDifference(const BoundedRun& a, const BoundedRun& b, std::size_t signals) {
+  double off = 0.0;
+  const std::size_t end = a.times().size() - 1, other = b.times().size() - 1;
+  for (std::size_t k = 0; k < signals; ++k)
+    off = std::max(
+        off, std::abs(a.value(end, k) - b.value(other, k)) / (1.0 + std::abs(b.value(other, k))));
+  return off;
+}
+
+/// Mechanisms with steps of a fixed length: with the coordinates that the program chooses they come
+/// as near to an accurate run as with those of bodies, without more work.
+TEST(Mechanisms, TakeFixedStepsAsWellInCoordinatesOfJoints) {
+  int better = 0, worse = 0, chosen = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    const RandomMechanism mechanism(seed);
+    const std::string step = "step=\"1e-3\"";
+    BoundedRun accurate(mechanism.text("auto")),
+        joints(mechanism.text("auto", step), {.findPlane = true}),
+        bodies(mechanism.text("absolute", step));
+    accurate.run(), joints.run(), bodies.run();
+    ASSERT_TRUE(joints.finished()) << seed << ' ' << joints.report().reason;
+    EXPECT_FALSE(joints.report().qualified()) << seed;
+    if (accurate.report().qualified() || joints.model().composed.coordinates == 0) continue;
+    ++chosen;
+    const std::size_t signals = accurate.model().record.signals.size();
+    // Differences of 1e-9 are those of the accurate run.
+    const double a = largestDifference(joints, accurate, signals) + 1e-9;
+    const double b = largestDifference(bodies, accurate, signals) + 1e-9;
+    better += a < b / 3.0 ? 1 : 0, worse += a > 3.0 * b ? 1 : 0;
+  }
+  // Of these 55 are chosen; ten come nearer by 3, and three less near, one of which has lost its way
+  // in both.
+  EXPECT_GE(chosen, 50);
+  EXPECT_LE(worse, 4);
+  EXPECT_GE(better, 2 * worse);
 }
 
 TEST(Mechanisms, MoveAlikeInCoordinatesOfJointsAndOfBodies) { expectAlike(1, 60, 57); }

@@ -229,9 +229,14 @@ void Composer::dropUnwanted() {
     if (fixed_[first] || seen[first] || edgesOf_[first].empty()) continue;
     const Branch branch = branchOf(static_cast<int>(first));
     bool rotor = false;
+    int velocities = branch.loose ? system(static_cast<int>(first)).blocks().nu : 0;
     for (const int i : branch.bodies) seen[at(i)] = true;
-    for (const int e : branch.edges) rotor = rotor || edges_[at(e)].rotor();
-    std::string why = choice_->whyNot(branch.bodies, branch.loose);
+    for (const int e : branch.edges) {
+      rotor = rotor || edges_[at(e)].rotor();
+      for (const FreeMotion& free : edges_[at(e)].motion.free)
+        velocities += free.kind == FreeMotion::Kind::ball ? 3 : 1;
+    }
+    std::string why = choice_->whyNot(branch.bodies, branch.loose, velocities);
     if (why.empty()) why = lostDigits(branch);
     if (why.empty() || rotor) continue;
     for (const int e : branch.edges) {

@@ -9,10 +9,9 @@ namespace {
 /// tolerance of 1e-10 is not reached: 16 − 5 digits remain.
 constexpr double kLostDigits = 1e5;
 
-/// Materials of the shapes of a system that moves, each once.
+/// Materials of the shapes of a system, each once.
 std::vector<std::string> materialsOf(const PartialMechanicalSystem& system) {
   std::vector<std::string> out;
-  if (system.blocks().nu == 0) return out;
   Description d;
   system.describe(d);
   for (const PlacedShape& p : d.shapes)
@@ -38,13 +37,16 @@ bool isOfRows(std::string_view signal) {
 TreeChoice::TreeChoice(Model& model) : model_(model) {
   read_ = model.record.signals;
   for (const CheckSettings& check : model.checks) read_.push_back(check.signal);
-  if (!model.runsToTolerance())
+  if (!model.runsToTolerance() && !(model.schemeIsDefault() && model.simulation.findPlane))
     reason_ = "steps have a fixed length, whose errors depend on the coordinates";
   else if (!model.simulation.keep.empty())
     reason_ = "keep names velocities of bodies";
   else if (std::find(read_.begin(), read_.end(), "*") != read_.end())
     reason_ = "all signals are recorded, forces of joints as well";
-  for (const auto& system : model.systems()) moving_.push_back(materialsOf(*system));
+  for (const auto& system : model.systems()) {
+    all_.push_back(materialsOf(*system));
+    moving_.push_back(system->blocks().nu > 0 ? all_.back() : std::vector<std::string>());
+  }
 }
 
 std::string TreeChoice::whyNot(const NonSmoothElement& joint) const {
@@ -56,21 +58,33 @@ std::string TreeChoice::whyNot(const NonSmoothElement& joint) const {
   return {};
 }
 
-bool TreeChoice::meetsMoving(int system) {
+bool TreeChoice::meets(int system, const std::vector<std::vector<std::string>>& others) {
   const auto at = static_cast<std::size_t>(system);
-  for (const std::string& own : moving_[at])
-    for (std::size_t i = 0; i < moving_.size(); ++i)
-      for (const std::string& other : moving_[i])
+  for (const std::string& own : all_[at])
+    for (std::size_t i = 0; i < others.size(); ++i)
+      for (const std::string& other : others[i])
         if (i != at && model_.pairLaws().meet(own, other)) return true;
   return false;
 }
 
-std::string TreeChoice::whyNot(const std::vector<int>& bodies, bool loose) {
+std::string TreeChoice::whyNotInFixedSteps(const std::vector<int>& bodies, int velocities) {
+  if (velocities > kFewVelocities)
+    return "in steps of a fixed length " + std::to_string(velocities) +
+           " velocities of a mechanism cost more than its constraints";
+  for (const int i : bodies)
+    if (meets(i, all_))
+      return "\"" + model_.systems()[static_cast<std::size_t>(i)]->name() +
+             "\" meets others by its shapes, in steps of a fixed length";
+  return {};
+}
+
+std::string TreeChoice::whyNot(const std::vector<int>& bodies, bool loose, int velocities) {
+  if (!model_.runsToTolerance()) return whyNotInFixedSteps(bodies, velocities);
   if (!loose ||
       !model_.systems()[static_cast<std::size_t>(bodies.front())]->blocks().planeNormal.isZero(0.0))
     return {};
   for (const int i : bodies)
-    if (meetsMoving(i))
+    if (meets(i, moving_))
       return "\"" + model_.systems()[static_cast<std::size_t>(i)]->name() +
              "\" of the loose mechanism meets other moving bodies";
   return {};

@@ -23,12 +23,12 @@ class SchemeChoice {
   /// True: the scheme works to a tolerance, or will if none is named.
   bool runsToTolerance(const SimulationSettings& s) const;
   /// True: no scheme was named.
-  bool isDefault() const { return isDefault_; }
+  bool isDefault() const { return isDefault_ || !scheme_; }
 
  private:
   void choose(const SimulationSettings& s);
   std::unique_ptr<OneStep> scheme_;
-  bool isDefault_ = false;  // no scheme was named
+  bool isDefault_ = false;  // the program chose scheme_
 };
 
 }  // namespace dynamy

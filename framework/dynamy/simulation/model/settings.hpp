@@ -41,7 +41,8 @@ struct SimulationSettings {
   JointCoordinates coordinates = JointCoordinates::absolute;
   Place coordinatesPlace;
   /// True: bodies whose motion stays in a plane, as the structure of the model shows, are computed in
-  /// it (theory 39.10). Their coordinates then are those of the plane.
+  /// it (theory 39.10), and small mechanisms in coordinates of their joints with steps of a fixed length,
+  /// too (theory 39.9). For callers that do not read q and u.
   bool findPlane = false;
   Start start = Start::given;
   /// Systems, velocities and coordinates that keep their values where joints correct the start.

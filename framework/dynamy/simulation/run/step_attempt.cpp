@@ -25,6 +25,7 @@ StepAttempt::StepAttempt(Model& model, MechanicalSystem& system, Sleep* sleep, c
       x_(from != nullptr ? *from : model.initialState()),
       before_(x_),
       coarseness_(model),
+      kept_(model),
       renews_(std::any_of(model.systems().begin(), model.systems().end(),
                           [](const auto& s) { return s->abilities().renewable != nullptr; })) {}
 
@@ -68,6 +69,7 @@ bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop, bo
   // After a failed search a scheme lowers the effort for the rest of the attempt.
   if (searches && !cheaply) searches_.done(system_.limits.effort == Effort::full);
   if (searches) x_.t = tEnd;
+  if (searches && model_.schemeIsDefault()) kept_.keep(system_, report_, before_, x_);
   project();
   system_.remember(x_);
   return true;

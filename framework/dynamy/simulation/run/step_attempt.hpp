@@ -4,6 +4,7 @@
 #include <atomic>
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/run_report.hpp>
+#include <dynamy/simulation/run/kept_energy.hpp>
 #include <dynamy/simulation/run/sleep.hpp>
 #include <dynamy/simulation/run/step_coarseness.hpp>
 #include <dynamy/stages/projection.hpp>
@@ -46,7 +47,8 @@ class StepAttempt {
   const StepReport& report() const { return report_; }
   /// How coarse the step is for the motion.
   Coarseness coarseness() {
-    return report_.resting ? Coarseness{} : coarseness_.of(system_, before_, x_, report_.dt);
+    return report_.resting ? Coarseness{}
+                           : coarseness_.of(system_, before_, x_, report_.dt, kept_.error());
   }
   bool sound() const;
   /// Why the attempted state is not sound; empty: it is.
@@ -67,6 +69,7 @@ class StepAttempt {
   State x_, before_;
   StepReport report_;
   StepCoarseness coarseness_;
+  KeptEnergy kept_;
   Projection projection_;
   SearchPauses searches_;
   std::vector<double> zero_, gammaE_;  // percussions of no step [N s], γ^E [m/s]

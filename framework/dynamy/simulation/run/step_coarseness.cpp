@@ -13,14 +13,14 @@ StepCoarseness::StepCoarseness(const Model& model)
       smallest_(smallestBody(model)) {}
 
 Coarseness StepCoarseness::of(const MechanicalSystem& system, const State& before,
-                              const State& after, double dt) {
+                              const State& after, double dt, double corrected) {
   const Kinematics& k = system.slot(0).kinematics;
   double square = 0.0;  // of the fastest body's rate [rad²/s²]
   for (const FrameHandle f : turning_) square = std::max(square, k.frame(f).Omega_I.squaredNorm());
   return Coarseness::of(std::sqrt(square) * dt, system.implicitForces().resolution(),
                         newOverlap(system, after, dt) / length_,
                         foreseenOverlap(system, after, dt) / smallest_,
-                        gain(system, before, after, dt));
+                        gain(system, before, after, dt), corrected);
 }
 
 /// Energy that a step brought in that damps forces, over T at its beginning and end. Their

@@ -11,8 +11,10 @@ class StepCoarseness {
  public:
   /// `model` is built.
   explicit StepCoarseness(const Model& model);
-  /// Of the step of length dt [s] that `system` took last, from the state `before` to `after`.
-  Coarseness of(const MechanicalSystem& system, const State& before, const State& after, double dt);
+  /// Of the step of length dt [s] that `system` took last, from the state `before` to `after`, with
+  /// the error of T + V that KeptEnergy corrected.
+  Coarseness of(const MechanicalSystem& system, const State& before, const State& after, double dt,
+                double corrected);
 
  private:
   double gain(const MechanicalSystem& system, const State& before, const State& after, double dt);

@@ -17,14 +17,15 @@ double powerOfTwo(double x) { return std::exp2(std::ceil(std::log2(std::max(x, 1
 }  // namespace
 
 Coarseness Coarseness::of(double turn, const ForceResolution& forces, double overlap,
-                          double foreseen, double gain) {
+                          double foreseen, double gain, double curve) {
   // share ≥ (ωΔt)²/8 for two equal bodies, (ωΔt)²/4 for one to the ground: ωΔt ≤ 2 √(2 share).
   return {turn / kMostTurn,
           2.0 * std::sqrt(2.0 * forces.share) / kMostSwing,
           forces.coarse,
           overlap / kMostOverlap,
           foreseen / kMostForeseen,
-          gain > kMostGain ? std::clamp(std::sqrt(gain / kMostGain), 2.0, kMostAtOnce) : 1.0};
+          gain > kMostGain ? std::clamp(std::sqrt(gain / kMostGain), 2.0, kMostAtOnce) : 1.0,
+          std::sqrt(curve / kMostCurve)};
 }
 
 int StepDivision::begin() {
@@ -52,8 +53,12 @@ int StepDivision::parts(const Coarseness& c, double share, long most) {
   const double turn = c.turn <= kMostEqual * share ? c.turn : 0.0;
   const double motion = std::max(turn, rough ? c.swing : 0.0);
   const double ahead = std::min(c.ahead, Coarseness::kMostAhead * share);
-  const double wanted = std::min(std::max({motion, c.overlap, ahead, c.gain}), bound * share);
-  const double needed = std::max(turn, swings_ ? c.swing : 0.0);
+  // Errors of n equal parts, e/n³ each, may add to kMostCurve in a full step.
+  const double bend = std::min(c.curve / std::sqrt(share), Coarseness::kMostCurveParts * share);
+  const double curve = bend > 1.0 ? std::clamp(bend, 2.0, Coarseness::kMostAtOnce) : 0.0;
+  const double wanted =
+      std::min(std::max({motion, c.overlap, ahead, c.gain, curve}), bound * share);
+  const double needed = std::max({turn, swings_ ? c.swing : 0.0, std::min(bend, curve)});
   // What is ahead is in the next step, too: the last part looks no further than the next part.
   ahead_ = std::max(ahead_, powerOfTwo(std::min(ahead / share, bound)));
   // The next step moves alike; its bodies need not meet.

@@ -15,10 +15,11 @@ namespace {
 /// A model of which the program chooses the coordinates, from the inside of systems and elements.
 struct ChosenModel {
   ChosenModel(const std::string& systems, const std::string& elements, const std::string& method,
-              const std::string& record = "")
+              const std::string& record = "", const RunSetup& setup = {})
       : run("<dynamy version=\"1\"><systems><Ground name=\"world\"/>" + systems +
-            "</systems><elements>" + elements + "</elements><simulation until=\"0.1\" " + method +
-            "/>" + record + "</dynamy>") {}
+                "</systems><elements>" + elements + "</elements><simulation until=\"0.1\" " +
+                method + "/>" + record + "</dynamy>",
+            setup) {}
   const Composition& made() { return run.model().composed; }
   std::string notes() {
     std::string out;
@@ -55,11 +56,46 @@ TEST(TreeChoice, TakesJointsOfMechanismsInRunsToATolerance) {
   EXPECT_EQ(m.run.model().topology().nu(), 2);
 }
 
+/// As the program runs models: nobody reads q and u.
+constexpr RunSetup kRun{.findPlane = true};
+
 TEST(TreeChoice, LeavesJointsToTheSchemeOfFixedSteps) {
   ChosenModel m(kChain, kHinges, kStep);
   EXPECT_EQ(m.made().coordinates, 0);
   EXPECT_EQ(m.run.model().topology().nu(), 12);
   EXPECT_NE(m.notes().find("steps have a fixed length"), std::string::npos) << m.notes();
+  BoundedRun named("<dynamy version=\"1\"><systems><Ground name=\"world\"/>" + kChain +
+                       "</systems><elements>" + kHinges + "</elements><simulation until=\"0.1\" " +
+                       kStep + "><StaggeredMoreau/></simulation></dynamy>",
+                   kRun);
+  EXPECT_EQ(named.model().composed.coordinates, 0);
+}
+
+TEST(TreeChoice, TakesSmallMechanismsInFixedSteps) {
+  ChosenModel two(kChain, kHinges, kStep, "", kRun);
+  EXPECT_EQ(two.made().coordinates, 2);
+  std::string bodies, hinges;
+  for (int i = 0; i < 7; ++i) {
+    const std::string name = "r" + std::to_string(i);
+    bodies += rod(name, i + 0.5);
+    hinges += hinge("h" + std::to_string(i),
+                    (i == 0 ? "world " : "r" + std::to_string(i - 1) + " ") + name, i);
+  }
+  ChosenModel seven(bodies, hinges, kStep, "", kRun);
+  EXPECT_EQ(seven.made().coordinates, 0);
+  EXPECT_NE(seven.notes().find("7 velocities of a mechanism cost more than its constraints"),
+            std::string::npos)
+      << seven.notes();
+}
+
+TEST(TreeChoice, LeavesBodiesWithContactsToFixedSteps) {
+  const std::string ball = "<Sphere radius=\"0.1\" material=\"wood\"/>";
+  ChosenModel m(rod("a", 0.5, 1.0, ball) + rod("b", 9.5, 1.0, ball),
+                hinge("h", "world a", 0.0) +
+                    "<Contact between=\"wood wood\"><UnilateralCoulomb mu=\"0.3\"/></Contact>",
+                kStep, "", kRun);
+  EXPECT_EQ(m.made().coordinates, 0);
+  EXPECT_NE(m.notes().find("\"a\" meets others by its shapes"), std::string::npos) << m.notes();
 }
 
 TEST(TreeChoice, TakesAMechanismWithARotorWhateverTheSteps) {

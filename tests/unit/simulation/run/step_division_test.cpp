@@ -138,5 +138,20 @@ TEST(StepDivision, LetsForcesThatAreDampedBringInLittle) {
   EXPECT_EQ(parts(1e9), 8);                           // not more at once
 }
 
+TEST(StepDivision, FollowsAWayThatBends) {
+  const auto of = [](double error) {
+    return Coarseness::of(0.0, {}, 0.0, 0.0, 0.0, error * Coarseness::kMostCurve);
+  };
+  StepDivision d(true);
+  d.begin();
+  EXPECT_EQ(d.parts(of(0.9), 1.0, kPlenty), 1);
+  EXPECT_EQ(d.parts(of(9.0), 1.0, kPlenty), 4);  // three parts of error 9/27 each would add to 1
+  // A quarter may make a quarter of the error: one of 9/64 is fine.
+  EXPECT_EQ(d.parts(of(9.0 / 64.0), 0.25, kPlenty), 1);
+  EXPECT_EQ(d.begin(), 4);  // the next step bends alike
+  // No more than kMostCurveParts in all.
+  EXPECT_EQ(d.parts(of(1e9), 1.0 / Coarseness::kMostCurveParts, kPlenty), 1);
+}
+
 }  // namespace
 }  // namespace dynamy
