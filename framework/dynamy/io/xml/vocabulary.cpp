@@ -52,10 +52,10 @@ Word simulation() {
            "joints and contacts in the metric of the mass");
   a.choice(
       "coordinates", {"auto", "absolute", "minimal"}, "auto",
-      "of bodies with joints: absolute, joints are constraints; minimal, those of the joints "
-      "of a spanning tree, only joints that close loops are constraints; auto, minimal in "
-      "runs to a tolerance wherever nothing speaks against it, and bodies that move in a plane "
-      "are computed there, which dynamy check tells");
+      "of bodies with joints: absolute, joints are constraints; minimal, those of the joints of a "
+      "spanning tree, only joints that close loops are constraints; auto, minimal in runs to a "
+      "tolerance wherever nothing speaks against it and for small mechanisms in steps of a fixed "
+      "length, and bodies that move in a plane are computed there, which dynamy check tells");
   a.choice(
       "start", {"given", "equilibrium"}, "given",
       "given: as the systems say; equilibrium: the rest, or the steady motion, nearest to that");
