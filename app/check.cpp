@@ -352,7 +352,7 @@ std::string json(const Model& model, const Sizes& s, const RunSizes& run,
 
 int check(Program& program, const CheckChoice& choice) {
   LoadOptions options;
-  options.set = choice.set, options.findPlane = true;
+  options.set = choice.set, options.reduce = true;
   Model model = loadModel(choice.model, program.registry, program.plugins, options);
   { const Simulation verified(model); }  // verifies step and signals of checks; frees its arrays
   if (choice.strict) refuseInconsistentStart(model);

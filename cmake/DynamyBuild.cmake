@@ -121,7 +121,8 @@ function(dynamy_sanitized target)
   endif()
 endfunction()
 # The innermost loops stand in files *_kernel.cpp (or *_kernels.cpp): blocks of 2 and 3 rows are unrolled by -O3
-# only, which does not change the order of a sum. The name goes with the file wherever it moves; tests/architecture looks for the flags.
+# only, which does not change the order of a sum. The name goes with the file wherever it moves;
+# tests/architecture looks for the flags.
 # Takes the kernels out of the `list` of sources of a library into the object library `target`: in batches of
 # their own they cost 130 s of the compiler's time, one by one 280 s. gcc's bound on the growth of a unit is
 # one for a file, not for ten: with it products of 3 × 3 matrices stay calls, 2 % of a hopper's instructions.

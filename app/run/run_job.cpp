@@ -145,11 +145,10 @@ void noteSources(const Program& program, const std::vector<fs::path>& files, Run
 
 }  // namespace
 
-Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* files,
-                  bool findPlane) {
+Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* files, bool reduce) {
   LoadOptions options;
   std::vector<fs::path> read;
-  options.findPlane = findPlane;
+  options.reduce = reduce;
   options.set = choice.set, options.files = files != nullptr ? files : &read;
   options.prepare = [&](Model& model) {
     if (choice.tolerance > 0.0) model.askTolerance(choice.tolerance);

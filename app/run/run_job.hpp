@@ -39,9 +39,9 @@ struct RunShow {
 
 /// The model with all choices applied. `choice` receives the absolute path, the end time, the
 /// sample time and the fingerprints of the files that were read. `files` receives all files that
-/// were searched for, `findPlane` is as there (LoadOptions). Throws ModelError.
+/// were searched for, `reduce` is as there (LoadOptions). Throws ModelError.
 Model chosenModel(Program& program, RunChoice& choice,
-                  std::vector<std::filesystem::path>* files = nullptr, bool findPlane = true);
+                  std::vector<std::filesystem::path>* files = nullptr, bool reduce = true);
 
 /// Writes run.json of a run that begins.
 void writeFirstFacts(const RunFolder& folder, const Model& model, const RunChoice& choice,

@@ -159,7 +159,7 @@ TEST(Mechanisms, TakeFixedStepsAsWellInCoordinatesOfJoints) {
     const RandomMechanism mechanism(seed);
     const std::string step = "step=\"1e-3\"";
     BoundedRun accurate(mechanism.text("auto")),
-        joints(mechanism.text("auto", step), {.findPlane = true}),
+        joints(mechanism.text("auto", step), {.reduce = true}),
         bodies(mechanism.text("absolute", step));
     accurate.run(), joints.run(), bodies.run();
     ASSERT_TRUE(joints.finished()) << seed << ' ' << joints.report().reason;

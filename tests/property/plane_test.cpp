@@ -9,7 +9,7 @@
 namespace dynamy {
 namespace {
 
-constexpr RunSetup kFind{.findPlane = true};
+constexpr RunSetup kFind{.reduce = true};
 
 /// Bodies of all kinds that fall on a floor or a slope, with springs and hinges between some, in the
 /// plane across `axis`, which has the offset `across`.
@@ -205,7 +205,7 @@ TEST(PlaneOfMotion, IsSoughtOnlyWhereTheProgramChooses) {
   const std::string text =
       tumbling("><Box size=\"1 1 1\" mass=\"1\" material=\"m\"/></RigidBody>", "<Gravity/>");
   EXPECT_EQ(BoundedRun(text).model().composed.flat, 0) << "callers that read q and u";
-  EXPECT_EQ(BoundedRun(text, {.coordinates = JointCoordinates::absolute, .findPlane = true})
+  EXPECT_EQ(BoundedRun(text, {.coordinates = JointCoordinates::absolute, .reduce = true})
                 .model()
                 .composed.flat,
             0);

@@ -32,7 +32,7 @@ int documentedVelocities(const std::string& name) {
 class Models : public testing::TestWithParam<std::string> {};
 
 TEST_P(Models, PassTheirChecks) {
-  LoadedModel loaded("models/" + GetParam() + ".xml");
+  LoadedModel loaded("models/" + GetParam() + ".xml", {}, true);
   Simulation simulation(loaded.model());
   const RunReport& report = simulation.run();
   EXPECT_EQ(report.ended, RunReport::Ended::finished) << report.reason;

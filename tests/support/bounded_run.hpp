@@ -47,7 +47,7 @@ struct RunSetup {
   long evaluations = 10'000'000;  ///< the same
   long iterations = 0;            ///< the run fails after so many of the solver; 0: any number
   std::optional<JointCoordinates> coordinates = {};
-  bool findPlane = false;  ///< as LoadOptions
+  bool reduce = false;  ///< as LoadOptions
 };
 
 class BoundedRun {
@@ -59,7 +59,7 @@ class BoundedRun {
     plugins_.load(kStandardElements, {}, registry_);
     LoadOptions options;
     options.set = setup.set, options.build = false, options.coordinates = setup.coordinates;
-    options.findPlane = setup.findPlane;
+    options.reduce = setup.reduce;
     const std::filesystem::path root = DYNAMY_SOURCE_DIR;
     model_ = std::make_unique<Model>(
         what.starts_with('<')

@@ -14,13 +14,14 @@ namespace dynamy {
 /// A model with everything it needs to live.
 class LoadedModel {
  public:
-  /// `file`: in the source tree, e.g. "models/woodpecker.xml".
-  explicit LoadedModel(const std::string& file, const Overrides& set = {})
+  /// `file`: in the source tree, e.g. "models/woodpecker.xml". `reduce`: as LoadOptions.
+  explicit LoadedModel(const std::string& file, const Overrides& set = {}, bool reduce = false)
       : plugins_({std::filesystem::path(DYNAMY_BINARY_DIR) / "lib" / "dynamy"}) {
     registerFramework(registry_);
     plugins_.load(kStandardElements, registry_);
-    model_ = std::make_unique<Model>(loadModel(std::filesystem::path(DYNAMY_SOURCE_DIR) / file,
-                                               registry_, plugins_, {.set = set}));
+    model_ =
+        std::make_unique<Model>(loadModel(std::filesystem::path(DYNAMY_SOURCE_DIR) / file,
+                                          registry_, plugins_, {.set = set, .reduce = reduce}));
   }
   Model& model() { return *model_; }
   const Registry& registry() const { return registry_; }

@@ -66,7 +66,7 @@ std::optional<Plane> planeOf(Model& model, int first, Topology& topology) {
 }  // namespace
 
 void flattenBodies(Model& model) {
-  if (!model.simulation.findPlane || !model.simulation.keep.empty() || !model.observers().empty() ||
+  if (!model.simulation.reduce || !model.simulation.keep.empty() || !model.observers().empty() ||
       !readsBodiesOnly(model))
     return;
   std::vector<int> bodies;

@@ -37,7 +37,7 @@ bool isOfRows(std::string_view signal) {
 TreeChoice::TreeChoice(Model& model) : model_(model) {
   read_ = model.record.signals;
   for (const CheckSettings& check : model.checks) read_.push_back(check.signal);
-  if (!model.runsToTolerance() && !(model.schemeIsDefault() && model.simulation.findPlane))
+  if (!model.runsToTolerance() && !(model.schemeIsDefault() && model.simulation.reduce))
     reason_ = "steps have a fixed length, whose errors depend on the coordinates";
   else if (!model.simulation.keep.empty())
     reason_ = "keep names velocities of bodies";

@@ -3,7 +3,7 @@
 ///
 ///   * steps of a fixed length by a scheme that the model names: none but joints with rotors and what
 ///     hangs together with them, since what a scheme does to joints is part of what it is asked for
-///   * other steps of a fixed length: where nobody reads q and u (SimulationSettings::findPlane),
+///   * other steps of a fixed length: where nobody reads q and u (SimulationSettings::reduce),
 ///     mechanisms of at most kFewVelocities, whose bodies have no contacts by their shapes; of more
 ///     velocities the equations of motion cost more than constraints
 ///   * a joint whose forces are recorded or checked stays a constraint, which has forces

@@ -14,8 +14,8 @@ constexpr int kMostUnsolved = 2;
 /// A correction of kLast lengths is the last one with a new tangent, which is accurate to 1e-6.
 /// With an old tangent it is the last one if the rest after another turn would be below kLeftOfWay.
 constexpr double kLast = 1e-10, kLeftOfWay = 1e-15;
-/// Last correction with a new tangent in closed form, which takes forces of elements as constant.
-/// It leaves at most kSlow of a correction, otherwise differences replace it.
+/// Last correction with a new tangent in closed form or of masses, which take forces of elements as
+/// constant. It leaves at most kSlow of a correction, otherwise differences replace it.
 constexpr double kLastClosed = 1e-13;
 /// A correction of this many lengths shows that the iteration diverges.
 constexpr double kLost = 1e3;
@@ -48,8 +48,8 @@ struct TangentChoice {
 
   /// True: a correction of `way` lengths, `rate` times the one before, is the last one.
   bool isLast(JointNewton::Tangent used, int turn, double way, double rate) const {
-    const bool closed = used == JointNewton::Tangent::closedForm;
-    return (fresh && way <= (closed ? kLastClosed : kLast)) || way <= enoughAfter(turn) ||
+    const bool differences = used == JointNewton::Tangent::differences;
+    return (fresh && way <= (differences ? kLast : kLastClosed)) || way <= enoughAfter(turn) ||
            (way <= kLast && rate * way <= kLeftOfWay);
   }
   /// The present correction shows how good the tangent of the turn before was. If differences are no
@@ -223,7 +223,8 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
                                   double dt) {
   SolveReport report;
   JointEquations& equations = newton_.equations;
-  const double length = std::max(1e-6, x.q.cwiseAbs().maxCoeff());
+  // Angles of joints may all be zero: a correction of g_tol is the last one in any case.
+  const double length = std::max({1e-6, x.q.cwiseAbs().maxCoeff(), s.gTol() / kLast});
   contacts_.begin(s, x, dt);
   contacts_.select(s, x, equations.v, dt);
   double before = 0.0, least = std::numeric_limits<double>::infinity();

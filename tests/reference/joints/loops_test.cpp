@@ -1,6 +1,7 @@
 /// Loops of joints through the position in which they lose a rank: bars that lie flat.
 #include <gtest/gtest.h>
 
+#include <dynamy/simulation/run/simulation.hpp>
 #include <reference/scene.hpp>
 
 namespace dynamy::reference {
@@ -70,6 +71,25 @@ TEST(Loops, CranksStayParallelThroughTheirFlatPosition) {
     EXPECT_LT(rest.spread, 1e-6) << scheme;
     EXPECT_LT(rest.energy, energy) << scheme;
   }
+}
+
+TEST(Loops, ABodyThatTheyLockIsHeldFromTheFirstStepOn) {
+  // A hinge and a bar leave nothing free. Its bearings carry the weight: no step moves the body, and
+  // each is found in a few turns, the first one as well.
+  Scene scene(
+      "triangle",
+      {.text = "<dynamy version=\"1\"><systems><Ground name=\"world\"/><PlanarBody name=\"b\" "
+               "mass=\"2\" inertia=\"0.1\" position=\"0.3 0 -0.2\"/></systems><forces>"
+               "<Gravity/></forces><elements><Revolute between=\"world b\" at=\"0 0 0\"/>"
+               "<Distance between=\"world b\" pointA=\"0.34 0 0.7\" pointB=\"0.1 0 0.06\"/>"
+               "</elements><simulation until=\"0.01\" step=\"1e-3\" "
+               "coordinates=\"minimal\"><EnergyMomentum/></simulation></dynamy>"});
+  Simulation simulation(scene.model());
+  const RunReport& r = simulation.run();
+  EXPECT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_FALSE(r.qualified());
+  EXPECT_LE(r.solver.iterationsMax, 8);
+  EXPECT_LT(std::abs(r.energy.kineticEnd), 1e-20);
 }
 
 }  // namespace

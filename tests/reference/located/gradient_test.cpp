@@ -188,6 +188,35 @@ TEST(Gradient, IsRefusedWhereAnImpactComesOrGoes) {
   EXPECT_TRUE(std::isnan(g.values[1].d[0]));
 }
 
+TEST(Gradient, OfManyParametersTakesFewRuns) {
+  Derivatives all;
+  int made = 0;
+  const auto make = [&](const std::vector<Varied>& changed) {
+    ++made;
+    LoadOptions options;
+    for (const auto& [name, value] : changed)
+      options.set.emplace_back(name, "{" + numberText(value) + "}");
+    return loadModel(DYNAMY_SOURCE_DIR "/models/woodpecker_expressions.xml", all.registry,
+                     all.plugins, options);
+  };
+  const Gradient g = gradient(make, {.of = {{"toy.phiS_dot", 3.0}},
+                                     .by = {{"mu", 0.3},
+                                            {"eN1", 0.5},
+                                            {"mM", 3e-4},
+                                            {"mS", 4.5e-3},
+                                            {"JM", 5e-9},
+                                            {"JS", 7e-7},
+                                            {"c", 5.6e-3},
+                                            {"g", 9.81},
+                                            {"lM", 0.01},
+                                            {"lG", 0.015}},
+                                     .tolerance = 1e-8});
+  for (const std::string& refused : g.refused) EXPECT_EQ(refused, "");
+  // The model, a run for each of two accuracies, four runs a parameter, and one for each in which
+  // differences of order 4 find other switches at once. They were 100.
+  EXPECT_LE(made, 3 + 10 * 5 + 10);
+}
+
 TEST(Gradient, ByAParameterWithoutEffectIsZero) {
   Derivatives of;
   const Gradient g = of.ofText(R"xml(<parameter name="p" value="0"/>

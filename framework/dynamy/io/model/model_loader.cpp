@@ -272,8 +272,8 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   else if (simulation.coordinatesPlace.line == 0)
     simulation.coordinates = JointCoordinates::automatic;
 
-  simulation.findPlane = options.findPlane && simulation.start == Start::given &&
-                         simulation.coordinates == JointCoordinates::automatic;
+  simulation.reduce = options.reduce && simulation.start == Start::given &&
+                      simulation.coordinates == JointCoordinates::automatic;
 
   // The model stores its title, text and file.
   model.file.name = source.document().name();

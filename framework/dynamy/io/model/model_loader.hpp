@@ -25,9 +25,9 @@ struct LoadOptions {
   std::vector<std::string> signals = {}, numbers = {};
   /// Called before the model is built, to change its settings and methods; null: nothing changes.
   std::function<void(Model&)> prepare = {};
-  /// True: what moves in a plane is computed in it (SimulationSettings::findPlane), where the file
-  /// leaves the coordinates to the program. For runs alone: coordinates of bodies change.
-  bool findPlane = false;
+  /// True: the model may be computed in fewer coordinates (SimulationSettings::reduce), where the file
+  /// leaves them to the program. For runs alone: q and u change.
+  bool reduce = false;
   bool seek = true;  ///< false: `start="equilibrium"` of the model is not followed
   /// Receives the paths of the model, its included files, its plug-ins and the files that elements
   /// name (tables, meshes), including files that were not found, and even if the model is faulty. A program that waits for changes watches

@@ -28,7 +28,8 @@ struct ContactResponse {
 
 class JointNewton {
  public:
-  /// How K is found: in closed form where all bodies and joints offer it; of masses and W alone; by differences.
+  /// How K is found: in closed form where all bodies and joints offer it; of masses and W alone; by
+  /// differences.
   enum class Tangent { closedForm, masses, differences };
   /// Computes and factorises K at the last residual; false: K is singular. `wanted`: closedForm, or
   /// masses in its place; or differences.

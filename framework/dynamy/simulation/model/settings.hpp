@@ -40,10 +40,10 @@ struct SimulationSettings {
   Project project = Project::none;
   JointCoordinates coordinates = JointCoordinates::absolute;
   Place coordinatesPlace;
-  /// True: bodies whose motion stays in a plane, as the structure of the model shows, are computed in
-  /// it (theory 39.10), and small mechanisms in coordinates of their joints with steps of a fixed length,
-  /// too (theory 39.9). For callers that do not read q and u.
-  bool findPlane = false;
+  /// True: nobody reads q and u, so that they may be fewer than those of the bodies in the model.
+  /// What moves in a plane, as the structure of the model shows, is computed in it (theory 39.10), and
+  /// small mechanisms in coordinates of their joints with steps of a fixed length, too (theory 39.9).
+  bool reduce = false;
   Start start = Start::given;
   /// Systems, velocities and coordinates that keep their values where joints correct the start.
   std::vector<std::string> keep;

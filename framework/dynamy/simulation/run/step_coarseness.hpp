@@ -12,7 +12,7 @@ class StepCoarseness {
   /// `model` is built.
   explicit StepCoarseness(const Model& model);
   /// Of the step of length dt [s] that `system` took last, from the state `before` to `after`, with
-  /// the error of T + V that KeptEnergy corrected.
+  /// the error of T that KeptEnergy corrected.
   Coarseness of(const MechanicalSystem& system, const State& before, const State& after, double dt,
                 double corrected);
 

@@ -32,13 +32,14 @@ struct Coarseness {
   /// tangent with which they are damped leaves errors of order 2, and at most so many parts are
   /// tried at once.
   static constexpr double kMostGain = 0.002, kMostAtOnce = 8.0;
-  /// Error of T + V that the parts of a full step may correct in all, over T. That of a part is of
+  /// Error of T that the parts of a full step may correct in all, over T. That of a part is of
   /// order 3. More than kMostCurveParts do not follow a motion without order any better.
   static constexpr double kMostCurve = 3e-3;
   static constexpr double kMostCurveParts = 32.0;
   /// Coarseness of a step: largest turn of a body in it [rad], how well it resolves the forces, and
   /// overlap that it brought about, over the scene's length, to which it leads, over the size
-  /// of the smallest body, energy that it brought in, and its error of the energy where the mass varies, over T.
+  /// of the smallest body, energy that it brought in, and its error of the energy where masses
+  /// vary, over T.
   static Coarseness of(double turn, const ForceResolution& forces, double overlap = 0.0,
                        double foreseen = 0.0, double gain = 0.0, double curve = 0.0);
 };

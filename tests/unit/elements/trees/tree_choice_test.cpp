@@ -57,7 +57,7 @@ TEST(TreeChoice, TakesJointsOfMechanismsInRunsToATolerance) {
 }
 
 /// As the program runs models: nobody reads q and u.
-constexpr RunSetup kRun{.findPlane = true};
+constexpr RunSetup kRun{.reduce = true};
 
 TEST(TreeChoice, LeavesJointsToTheSchemeOfFixedSteps) {
   ChosenModel m(kChain, kHinges, kStep);
