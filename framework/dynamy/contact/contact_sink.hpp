@@ -126,6 +126,9 @@ class ContactSink {
   /// Reports two bodies whose contacts come and go; overlap(): the depth of their overlap [m], `id`:
   /// the least number that a contact of theirs may have, `jumps`: their contacts jump.
   void comesAndGoes() { set_->features.comeAndGo = true; }
+  /// Reports two bodies that may meet and part again within the time that is looked ahead, since their
+  /// gap is known to a small distance only.
+  void unseen() { set_->features.unseen = true; }
   void overlap(double depth, std::uint64_t id, bool jumps) {
     FollowedFeatures& f = set_->features;
     if (depth > f.overlap) f.overlap = depth, f.deepest = contactKey(element_, id);

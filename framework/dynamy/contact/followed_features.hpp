@@ -19,6 +19,7 @@ struct FollowedFeatures {
   std::vector<ContactKey> noted;  ///< pairs that may touch soon
   double searched = 0.0;          ///< work of gaps that took a search, in evaluations of a velocity
   bool comeAndGo = false;         ///< some contacts here come and go with the features that touch
+  bool unseen = false;            ///< bodies may meet and part again before the next look
   /// Deepest overlap of bodies whose contacts come and go [m], −∞: there are none; and the least
   /// number that a contact of theirs may have.
   double overlap = 0.0;
@@ -32,7 +33,7 @@ struct FollowedFeatures {
     return static_cast<std::size_t>(i) < circle.size() && circle[static_cast<std::size_t>(i)] != 0;
   }
   void clear() {
-    presence.clear(), circle.clear(), noted.clear(), comeAndGo = false, searched = 0.0;
+    presence.clear(), circle.clear(), noted.clear(), comeAndGo = unseen = false, searched = 0.0;
     overlap = jumpingOverlap = -std::numeric_limits<double>::infinity();
   }
 };

@@ -47,6 +47,9 @@ class NonSmoothElement : public Element {
   /// wherever any element switches; a second call at the same state must have no further effect.
   /// A rejected step is rolled back.
   virtual void remember(const Kinematics&, Vec /*memory*/) const {}
+  /// Why `memory`, read from a checkpoint, cannot be numbers of this element; empty (default): it
+  /// can. Elements that take an index from their memory check it here, once, and never within a step.
+  virtual std::string memoryFault(ConstVec /*memory*/) const { return {}; }
   /// Forces of this element's joint `id` for percussions Λ, and their derivative, for Newton's
   /// method on positions. False (default): not offered, differences are taken.
   virtual bool jointForces(const Kinematics&, std::uint64_t /*id*/, const double* /*Lambda*/,

@@ -11,6 +11,9 @@ namespace {
 constexpr double kNear = 1e-3;
 /// Factor on the motion that the speeds predict, so that it bounds the motion between two checks.
 constexpr double kFaster = 1.5;
+/// Part of the size within which gaps are known by which bodies move at most between two looks at a path: one of the
+/// looks then sees them meet.
+constexpr double kPath = 0.5;
 /// Work of one pair of features, as a part of that of a gap; of the gap and of all that are near.
 constexpr double kOneWork = 0.1, kAllWork = 2.0;
 
@@ -38,9 +41,7 @@ bool farApart(const PosedPair& pair, double reach) {
 bool apartAtOnce(const PairReport& report, double reach) {
   const PosedPair& pair = report.pair();
   if (farApart(pair, reach)) return true;
-  // If `reach` is beyond the bodies' bounds, surfaces count as near whatever their gap is.
-  const bool small = reach < std::min(pair.a.bound, pair.b.bound) && report.rule().plane == 0;
-  return small && seenApart(pair.a, pair.b, pair.A, pair.B, reach);
+  return report.rule().plane == 0 && seenApart(pair.a, pair.b, pair.A, pair.B, reach);
 }
 
 /// Gap of the pair, infinite if it cannot close within the time that is looked ahead.
@@ -53,6 +54,17 @@ double closingGap(const PairReport& report) {
   const double gap = report.rule().kernel->gap(pair, 0);
   if (std::min(gap, bound) > reach) return kInfinity;
   return gap;
+}
+
+/// True: the pair may move so far within the time that is looked ahead that no look at its path sees
+/// them meet, since gaps and overlaps are known up to the size of the smaller one only. `gap`: that of
+/// closingGap().
+bool passesUnseen(const PairReport& report, double gap) {
+  const auto& [a, b, A, B, plane] = report.pair();
+  const PairKernel& kernel = *report.rule().kernel;
+  const double seen = kernel.seen(b),
+               known = std::min(gap >= seen ? seen : kInfinity, kernel.seenBelow(b));
+  return movesWithin(report.pair(), report.request().ahead).reach > kPath * known;
 }
 
 /// Reports the contacts `asked` of a pair whose contacts jump, in this order: contacts that the
@@ -177,6 +189,7 @@ void watch(PairReport& report) {
   }
   const double gap = closingGap(report);
   if (gap == kInfinity) return;
+  if (passesUnseen(report, gap)) sink.unseen();
   if (jumps) sink.comesAndGoes(), sink.overlap(-gap, id, true);
   ContactRequest all;
   all.refresh = true;

@@ -94,6 +94,10 @@ class PairKernel {
   // For fast bodies:
   /// How many features of b have a gap of their own along a path.
   virtual std::size_t swept(const TouchingShape& /*b*/) const { return 1; }
+  /// Depth to which an overlap is known [m]: deeper, bodies may have passed through each other.
+  virtual double seenBelow(const TouchingShape& /*b*/) const {
+    return std::numeric_limits<double>::infinity();
+  }
   /// Largest gap that is known [m].
   virtual double seen(const TouchingShape& /*b*/) const {
     return std::numeric_limits<double>::infinity();

@@ -57,6 +57,7 @@ class BallOnSurface final : public PairKernel {
     return a.polyhedron ? Following::gaps : Following::jumping;
   }
   double seen(const TouchingShape& b) const override { return kSeen * b.bound; }
+  double seenBelow(const TouchingShape& b) const override { return b.thickness; }
 };
 
 void BallOnSurface::contacts(PairReport& report) const {
@@ -95,6 +96,7 @@ class OnSurface : public PairKernel {
     return Following::jumping;
   }
   double seen(const TouchingShape& b) const override { return b.bound; }
+  double seenBelow(const TouchingShape& b) const override { return b.thickness; }
 };
 
 int capsuleAt(const PosedPair& p, double reach, bool, OnSurfaceContacts& found) {

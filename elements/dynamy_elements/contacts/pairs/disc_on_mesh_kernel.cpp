@@ -8,6 +8,9 @@ namespace {
 
 /// Crossings nearer to each other than this part of a rim's radius are one.
 constexpr double kSamePlace = 1e-6;
+/// Rounding of a normal: the one of a cap that lies flat on an edge is at the border of those of its
+/// rim.
+constexpr double kBorder = 1e-9;
 
 /// One round body over a mesh, in the world.
 class DiscOverMesh {
@@ -17,15 +20,14 @@ class DiscOverMesh {
       : A_(A), mesh_(mesh), B_(B), reach_(reach), out_(out) {}
 
   int contacts() {
-    const Mat3 toA = A_.A_IK.transpose();
-    Eigen::AlignedBox3d box(toA * (B_.c - A_.r_OS_I));
-    // Half of B's width along each axis of the mesh.
-    Vec3 around;
+    // The extent of B along each axis of the mesh: a cone reaches further on one side of its middle.
+    Vec3 least, most;
     for (int k = 0; k < 3; ++k) {
       const Vec3 d = A_.A_IK.col(k);
-      around[k] = B_.support(d) - d.dot(B_.c) + reach_;
+      const double origin = d.dot(A_.r_OS_I);
+      least[k] = -B_.support(-d) - origin - reach_, most[k] = B_.support(d) - origin + reach_;
     }
-    box = {box.min() - around, box.max() + around};
+    const Eigen::AlignedBox3d box(least, most);
     mesh_.forFacesNear(box, [&](int i) { face(i); });
     mesh_.forFacesNear(box, [&](int number) {
       const Surface::Face& f = mesh_.faces()[static_cast<std::size_t>(number)];
@@ -61,12 +63,7 @@ class DiscOverMesh {
     // All of B is too high over the face, or too deep below it.
     if (-B_.support(d) - height > reach_ || B_.support(n) - height < -reach_) return;
     const PlacedFace on(A_, n, placed(f.v[0]), 0.0, A_.A_IK * f.out[0], 1.0, true);
-    const auto over = [&](const Vec3& p_I) {
-      const Vec3 p = inA(p_I);
-      for (std::size_t k = 0; k < 3; ++k)
-        if (f.out[k].dot(p - mesh_.at(f.v[k])) > 0.0) return false;
-      return true;
-    };
+    const auto over = [&](const Vec3& p_I) { return mesh_.isOver(f, inA(p_I), 0.0); };
     const DiscBody::Part part = B_.part(d);
     const int facing = B_.rimAlong(d);
     for (int rim = 0; rim < B_.rims(); ++rim) {
@@ -159,8 +156,8 @@ class DiscOverMesh {
       const ContactPoint c = curveOnCurve(own, at, m);
       // The normal must point out of the rim: away from the axis, and from the other rim.
       const Vec3 d = -c.d[0];
-      const bool out = d.dot(at.x - at.c) >= 0.0 &&
-                       (B_.half == 0.0 || B_.fromSide(d) * (rim == 1 ? 1.0 : -1.0) >= 0.0);
+      const bool out = d.dot(at.x - at.c) >= -kBorder * at.rho &&
+                       (B_.half == 0.0 || B_.fromSide(d) * (rim == 1 ? 1.0 : -1.0) >= -kBorder);
       if (out && counts(c)) take(ofRims + 2 * rim + (line.t.dot(at.x - at.c) > 0.0 ? 1 : 0), c);
     };
     // The edge touches a rim where it crosses it under a cap, and where B is furthest among the

@@ -42,8 +42,7 @@ class SmoothOverMesh {
     const ContactPoint at = smooth::overPlane(A_, A_.A_IK * f.n, placed(f.v[0]), B_);
     const Vec3 p = inA(at.P);
     const double beside = kOnBorder * (mesh_.at(f.v[1]) - mesh_.at(f.v[0])).norm();
-    for (std::size_t k = 0; k < 3; ++k)
-      if (f.out[k].dot(p - mesh_.at(f.v[k])) > beside) return;
+    if (!mesh_.isOver(f, p, beside)) return;
     // Coplanar faces would both touch on their common edge; one contact is kept.
     for (int i = 0; i < size_; ++i)
       if ((out_[static_cast<std::size_t>(i)].at.d[0] - at.d[0]).squaredNorm() < 1e-18) return;

@@ -135,8 +135,7 @@ class OverMesh {
     const double g = f.n.dot(p - mesh_.at(f.v[0]));
     if (std::abs(g) > reach_) return;
     const double beside = kOnBorder * (mesh_.at(f.v[1]) - mesh_.at(f.v[0])).norm();
-    for (std::size_t k = 0; k < 3; ++k)
-      if (f.out[k].dot(p - mesh_.at(f.v[k])) > beside) return;
+    if (!mesh_.isOver(f, p, beside)) return;
     // All edges of the corner must rise from the face, up to the tilt of
     // a face that lies on another.
     const Vec3 n = C_.transpose() * f.n;

@@ -172,20 +172,32 @@ class RuleSearch {
   std::set<std::pair<std::string, std::string>> told_;
 };
 
-/// Shapes that do not move are in groups of their own, as their planes differ.
+/// Half spaces are in groups of their own, and so is what stands still beside bodies that move in
+/// planes, as their sections differ. Nothing that stands still is in a group with what moves.
 void RuleSearch::group() {
   const std::size_t n = shapes_.size();
   out_.group_.resize(n);
   using Key = std::tuple<std::string, double, double, double, int, Traits, Traits>;
   std::map<Key, int> known;
+  bool inPlanes = false;
+  for (std::size_t i = 0; i < n; ++i) inPlanes = inPlanes || !blocksOf(i).planeNormal.isZero(0.0);
+  constexpr int kMoves = -1, kStands = -2;
   for (std::size_t i = 0; i < n; ++i) {
     const Blocks& blocks = blocksOf(i);
     const Vec3& plane = blocks.planeNormal;
     const TouchingShape &space = shapes_.inSpace()[i],
                         &own = shapes_.in(shapes_.planeNumber(plane, start_))[i];
-    const bool alone = blocks.nu == 0 || own.kind == RuleTouch::halfSpace;
-    const Key key{shapes_.instance(i).shape->material(), plane.x(),   plane.y(),    plane.z(),
-                  alone ? static_cast<int>(i) : -1,      traits(own), traits(space)};
+    const bool stands = blocks.nu == 0,
+               alone = (stands && inPlanes) || own.kind == RuleTouch::halfSpace;
+    const Key key{shapes_.instance(i).shape->material(),
+                  plane.x(),
+                  plane.y(),
+                  plane.z(),
+                  alone    ? static_cast<int>(i)
+                  : stands ? kStands
+                           : kMoves,
+                  traits(own),
+                  traits(space)};
     const auto [at, isNew] = known.try_emplace(key, static_cast<int>(groups_.size()));
     out_.group_[i] = at->second;
     if (isNew) {

@@ -38,6 +38,7 @@ class Surface {
     Vec3 n;
     std::array<Vec3, 3> out;  ///< in the plane of the face, outward across the edge from v[i]
     std::array<int, 3> edge{-1, -1, -1}, corner{-1, -1, -1};  ///< assigned to it
+    std::array<int, 3> rises{-1, -1, -1};  ///< neighbour that rises across the edge from v[i]
   };
   struct Edge {
     int a, b, f, g;  ///< corners a, b, faces f, g; g = −1: border of the surface
@@ -53,6 +54,10 @@ class Surface {
   int edges() const { return static_cast<int>(edges_.size()); }
   int corners() const { return static_cast<int>(corners_.size()); }
   const Vec3& at(int i) const { return points_[static_cast<std::size_t>(i)]; }
+  /// Is p over the face, or up to `beside` beside it [m]? Below a valley p is over both faces that it
+  /// lies below, although its nearest points on their planes are beyond the edge: over the one, and
+  /// beside the other across their edge only.
+  bool isOver(const Face& f, const Vec3& p, double beside) const;
   /// Is `way`, a vector from edge i to some point, in the wedge between the normals of its faces?
   bool inWedge(int i, const Vec3& way) const;
   /// Is `way`, a vector from corner i to some point, in the cone of the normals around it?

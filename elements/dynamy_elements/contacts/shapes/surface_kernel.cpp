@@ -13,6 +13,8 @@ constexpr double kSamePlane = 1e-9;
 /// Part of the extent by which a point beside a face still counts as over it, so that no point
 /// falls between two faces.
 constexpr double kBesideFace = 1e-12;
+/// Depth of a ball's centre below a face, in radii, up to which it has come from above.
+constexpr double kOwnSize = 1.5;
 /// Most faces of a leaf.
 constexpr int kLeaf = 4;
 
@@ -59,8 +61,12 @@ void Surface::findEdges() {
     Face& f = faces_[static_cast<std::size_t>(e.f)];
     // The edge stands out only if the neighbour face descends on its other side.
     if (!border) {
-      const Face& g = faces_[static_cast<std::size_t>(e.g)];
-      if (g.n.dot(f.out[static_cast<std::size_t>(e.sideF)]) <= kSamePlane) continue;
+      Face& g = faces_[static_cast<std::size_t>(e.g)];
+      const double descends = g.n.dot(f.out[static_cast<std::size_t>(e.sideF)]);
+      if (descends < -kSamePlane)
+        f.rises[static_cast<std::size_t>(e.sideF)] = e.g,
+        g.rises[static_cast<std::size_t>(e.sideG)] = e.f;
+      if (descends <= kSamePlane) continue;
     }
     f.edge[static_cast<std::size_t>(e.sideF)] = static_cast<int>(edges_.size());
     edges_.push_back(e);
@@ -214,15 +220,30 @@ bool Surface::inCone(int i, const Vec3& way) const {
   });
 }
 
+bool Surface::isOver(const Face& f, const Vec3& p, double beside) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (f.out[k].dot(p - at(f.v[k])) <= beside) continue;
+    if (f.rises[k] < 0 || f.n.dot(p - at(f.v[0])) >= 0.0) return false;
+    const Face& other = faces_[static_cast<std::size_t>(f.rises[k])];
+    if (other.n.dot(p - at(other.v[0])) >= 0.0) return false;
+    const int from = f.v[k], to = f.v[(k + 1) % 3];
+    for (std::size_t j = 0; j < 3; ++j)
+      if ((other.v[j] != to || other.v[(j + 1) % 3] != from) &&
+          other.out[j].dot(p - at(other.v[j])) > beside)
+        return false;
+  }
+  return true;
+}
+
 void Surface::lookAt(int number, Query& q) const {
   const Face& f = faces_[static_cast<std::size_t>(number)];
   const double height = f.n.dot(q.c - at(f.v[0]));
   if (closed_ && height > q.height) q.height = height, q.deepest = number;
   const double beside = kBesideFace * (at(f.v[1]) - at(f.v[0])).norm();
-  bool over = true;
-  for (std::size_t k = 0; k < 3; ++k) over = over && f.out[k].dot(q.c - at(f.v[k])) <= beside;
-  // A mesh has one side: a ball deeper than its own size counts as on the other side.
-  const double deepest = closed_ ? 0.0 : -q.reach;
+  const bool over = isOver(f, q.c, beside);
+  // A mesh has one side: a ball deeper than its own size counts as on the other side, however far
+  // gaps are asked for.
+  const double deepest = closed_ ? 0.0 : -std::min(q.reach, kOwnSize * q.ball.radius);
   if (over && height <= q.reach && height >= deepest) {
     const Vec3 n = q.A.A_IK * f.n;
     q.take(number, height, n, q.A.Omega_I.cross(n));

@@ -97,7 +97,7 @@ bool ComingContacts::widenAlong(const State& from, const QuinticPath& path) {
   for (int j = 0; j <= n; ++j) {
     depths[static_cast<std::size_t>(j)] = depth(static_cast<double>(j) / n);
     if (fresh < 0 && probe.noted().fresh()) fresh = j;
-    if (probe.noted().unreported() == kNoContact) continue;
+    if (probe.noted().unreported() == kNoContact && !probe.noted().unseen()) continue;
     clear_ = clearBefore(j);
     return false;
   }

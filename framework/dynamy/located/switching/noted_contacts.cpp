@@ -15,7 +15,7 @@ std::span<const ContactKey> NotedContacts::read(const ContactSet& evaluated,
                                                 const std::vector<ContactKey>& followed) {
   overlap_ = evaluated.features.overlap, deepest_ = evaluated.features.deepest;
   jumpingOverlap_ = evaluated.features.jumpingOverlap, jumping_ = evaluated.features.jumping;
-  noted_ = evaluated.features.noted;
+  noted_ = evaluated.features.noted, unseen_ = evaluated.features.unseen;
   fresh_ = std::any_of(noted_.begin(), noted_.end(),
                        [&](ContactKey key) { return !hasSorted(followed, key); });
   unknown_.clear();

@@ -20,6 +20,8 @@ class NotedContacts {
   ContactKey unreported() const;
   /// True: some of the contacts read last are not followed yet.
   bool fresh() const { return fresh_; }
+  /// True: looks have to follow each other in shorter times, or bodies pass through each other.
+  bool unseen() const { return unseen_; }
   /// How deep bodies whose contacts come and go overlap [m].
   double overlap() const { return overlap_; }
   /// A contact of bodies whose contacts jump that overlap by more than `depth` [m]; kNoContact: there
@@ -31,7 +33,7 @@ class NotedContacts {
  private:
   std::vector<ContactKey> noted_, unknown_;
   std::vector<ContactKey> reported_, unreported_;  // of all noted so far, ascending
-  bool fresh_ = false;
+  bool fresh_ = false, unseen_ = false;
   double overlap_ = 0.0, jumpingOverlap_ = 0.0;
   ContactKey jumping_, deepest_;
 };
