@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <dynamy/located/islands/island_division.hpp>
+#include <map>
+#include <utility>
 
 namespace dynamy {
 namespace {
@@ -29,17 +31,18 @@ void IslandDivision::learn(const MechanicalSystem& s) {
   most_ = kMemory / (kOfClock + kOfSystem * systems.size());
   shapes_.clear();
   // Shapes take part in contact if an element has requested their frames.
-  const auto& requested = topology_->requestedFrames();
+  std::map<std::pair<int, int>, int> requested;
+  int handle = 0;
+  for (const std::pair<int, int>& frame : topology_->requestedFrames())
+    requested.try_emplace(frame, handle++);
   for (int i = 0; i < static_cast<int>(systems.size()); ++i) {
     if (topology_->system(i).nu == 0) continue;
     Description d;
     systems[static_cast<std::size_t>(i)]->describe(d);
     for (const PlacedShape& p : d.shapes) {
-      const auto frame =
-          std::find(requested.begin(), requested.end(), std::pair<int, int>(i, p.frame));
+      const auto frame = requested.find({i, p.frame});
       if (p.shape->material().empty() || frame == requested.end()) continue;
-      shapes_.push_back(
-          {{static_cast<int>(frame - requested.begin())}, i, p.shape->r_SB_K(), boundOf(*p.shape)});
+      shapes_.push_back({{frame->second}, i, p.shape->r_SB_K(), boundOf(*p.shape)});
     }
   }
 }
@@ -91,10 +94,12 @@ IslandDivision::Groups IslandDivision::groups(const std::vector<int>& systems,
   if (out.size() < 2) return out;
   std::vector<std::vector<MovingShape>> shapes(out.size());
   std::vector<FrameHandle> frames;
+  std::vector<int> groupOf(topology_->systems().size(), -1);
+  for (std::size_t g = 0; g < out.size(); ++g)
+    for (const int i : out[g]) groupOf[static_cast<std::size_t>(i)] = static_cast<int>(g);
   for (const MovingShape& shape : shapes_)
-    for (std::size_t g = 0; g < out.size(); ++g)
-      if (std::binary_search(out[g].begin(), out[g].end(), shape.system))
-        shapes[g].push_back(shape), frames.push_back(shape.frame);
+    if (const int g = groupOf[static_cast<std::size_t>(shape.system)]; g >= 0)
+      shapes[static_cast<std::size_t>(g)].push_back(shape), frames.push_back(shape.frame);
   kinematics_.evaluate(*topology_, x.t, view(x.q), view(x.u), view(x.memory), nullptr, frames);
   std::vector<PathBoxes> paths(out.size());
   for (std::size_t g = 0; g < out.size(); ++g) paths[g].expect(shapes[g], kinematics_, h);

@@ -55,6 +55,7 @@ struct RootConstants {
 struct SlipConstants {
   static constexpr double mostTurned = 10.0;  ///< k of theory 20.6, in units of the tolerance
   static constexpr double stop = 0.1;         ///< of the tolerance: a slip end taken as straight
+  static constexpr double leastStart = 1e-6;  ///< of T: shortest step in which a start may end
   static constexpr double energy = 1e-3;  ///< of T and |ΔV|: error of the energy until a slip ends
   static constexpr double shareOfStop = 0.75;  ///< steps end before slip does
 };

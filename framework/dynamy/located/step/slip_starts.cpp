@@ -49,7 +49,26 @@ double turnOf(const FrozenPhase& phase, std::size_t i, const Held& before) {
   return std::sqrt(speed * across);
 }
 
+/// γ_T·t of a slip that starts [m/s].
+double speedAlong(const FrozenPhase& phase, std::size_t i) {
+  const HeldRows& rows = phase.rows();
+  double out = 0.0;
+  for (int r = 0; r < rows.slipRows(i); ++r) {
+    const double w = rows.set(i).weight[static_cast<std::size_t>(r)];
+    out += w * w * rows.gamma()[rows.slip0(i) + r] *
+           phase.held[i].direction[static_cast<std::size_t>(r)];
+  }
+  return out;
+}
+
 }  // namespace
+
+bool startsPassTheirEnd(const LocatedParts& parts) {
+  const FrozenPhase& phase = parts.motion.phase;
+  for (std::size_t i = 0; i < phase.held.size(); ++i)
+    if (phase.held[i].starts && speedAlong(phase, i) < 0.0) return true;
+  return false;
+}
 
 double turnOfStarts(LocatedParts& parts, const std::vector<Held>& before) {
   double past = 0.0;
@@ -87,7 +106,7 @@ bool endStarts(LocatedParts& parts) {
       const int row = rows.slip0(i) + r;
       along += w * w * rows.gamma()[row] * phase.gammaDot(row);
     }
-    if (h.turned > mostTurned(parts.norm) || !(along > 0.0) ||
+    if (h.turned > mostTurned(parts.norm) || !(along > 0.0) || !(speedAlong(phase, i) > 0.0) ||
         slipIsClear(parts, i, parts.pace.next))
       h.starts = false, any = true;
   }

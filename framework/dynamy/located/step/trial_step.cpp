@@ -135,6 +135,9 @@ TrialStep::Tried TrialStep::attempt(LocatedStep& step, bool looked, Trial& trial
   if (const double past = turnOfStarts(parts_, step.startHeld); past > 2.0)
     return reject(step, h * std::clamp(1.0 / std::cbrt(past), TrialConstants::shrink, 0.7)),
            Tried::turned;
+  // A slip that starts at a speed of rounding may have any direction: it is left to the next step.
+  if (h > SlipConstants::leastStart * parts_.norm.time() && startsPassTheirEnd(parts_))
+    return reject(step, h * TrialConstants::half);
   trial.found = {};
   coming_.newTrial();
   if (const Tried tried = findSwitch(step, looked, trial); tried != Tried::accepted) return tried;
