@@ -54,7 +54,7 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   x.impulses.corrected = !solved.warmAccepted && solved.newton <= kCorrection;
   const bool loose = solved.residuals.largest() > kLooseResidual &&
                      (solved.ok() || rough_ || problem_->size() >= kManyContacts);
-  if (loose || (rough_ && largestOverlap(e.contacts) > s.gTol()))
+  if (loose || (rough_ && largestOverlap(e.contacts, x, s.limits.length) > s.gTol()))
     LostImpulses::remember(e.contacts, view(problem_->Lambda()), x.scheme);
   else
     x.scheme.resize(0);
@@ -143,9 +143,9 @@ const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& 
                                           double dt, bool& apart) {
   const Evaluation& e = ahead(s, x, dt);
   arrived_.clear();
-  rough_ =
-      isRough(x) || (largestOverlap(e.contacts) > s.gTol() && solver.boundsWork(e.contacts.size()));
-  if (rough_ || largestOverlap(e.contacts) <= s.gTol()) return e;
+  rough_ = isRough(x) || (largestOverlap(e.contacts, x, s.limits.length) > s.gTol() &&
+                          solver.boundsWork(e.contacts.size()));
+  if (rough_ || largestOverlap(e.contacts, x, s.limits.length) <= s.gTol()) return e;
   for (int i = 0; i < e.contacts.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double g = e.contacts.position[static_cast<std::size_t>(e.contacts.row0[at])];

@@ -8,6 +8,10 @@ namespace {
 
 constexpr double kColdResidual = 1e-2;  ///< above, a start is not near the solution
 constexpr int kMostRestarted = 400;     ///< contacts; above, restarts cost seconds
+/// Contacts up to which forces that keep bodies at rest are looked for first, and velocity of bodies
+/// at rest [u_ref].
+constexpr int kMostRested = 100;
+constexpr double kAtRest = 1e-6;
 /// Rows that are pivoted if nothing else helps: above, the tableau of the polygons costs seconds.
 constexpr int kMostPivoted = 100;
 /// Rows of a given problem above which every further start costs seconds; starts for every
@@ -105,6 +109,25 @@ SolveReport judged(SolveReport report, double enough) {
   return report;
 }
 
+/// Is this a problem of few contacts with friction, of bodies at rest, that begins without forces?
+bool mayRest(const InclusionProblem& p, ConstVec Lambda) {
+  if (!(p.dt > 0.0) || p.rule || p.size() > kMostRested || !Lambda.isZero(0.0)) return false;
+  double fastest = 0.0;
+  for (const double gamma : p.gammaA) fastest = std::max(fastest, std::abs(gamma));
+  if (!(fastest <= kAtRest * p.uRef)) return false;
+  for (int i = 0; i < p.size(); ++i)
+    if (p.law(i).unilateral() && p.dim(i) > 1) return true;
+  return false;
+}
+
+/// True: some contact has a velocity that its law lets it have, ξ ≠ 0.
+bool moves(const InclusionProblem& p, Vec Lambda) {
+  Eigen::VectorXd xi(p.rows());
+  p.G->apply(Lambda.data(), xi.data());
+  xi += Eigen::Map<const Eigen::VectorXd>(p.c.data(), p.rows());
+  return xi.lpNorm<Eigen::Infinity>() > kAtRest * p.uRef;
+}
+
 }  // namespace
 
 Automatic::Automatic(const AutomaticOptions& options)
@@ -156,7 +179,9 @@ SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
   }
   kept_ = report.residuals;
   keptLambda_.assign(Lambda.data(), Lambda.data() + Lambda.size());
+  const bool rests = mayRest(p, view(std::as_const(Lambda)));
   report = rungs(p, Lambda, report);
+  if (rests && moves(p, Lambda)) minimalNorm_.rest(p, newton_, Lambda, report);
   keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
   const bool many = bounds(p), judges = many || settles(p);
   const double enough = std::max(many ? kAccepted : kTolerable, options_.tolerance);

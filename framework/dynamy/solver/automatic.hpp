@@ -4,6 +4,7 @@
 ///   · sweeps while they pay → proximal Newton → the same, other ρ → Gauss–Seidel
 ///   → proximal Newton from other starts → pivoting
 ///   → problems from files: many more starts
+///   · bodies at rest that the solution moves → forces that keep them at rest, if there are any
 ///
 /// If the user gives no tolerance, the work on many contacts is bounded (`bounded`, theory 4.15): a
 /// few Newton steps are tried for exact forces; if they fail, packed sweeps reduce the residual to

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/solver/minimal_norm.hpp>
 #include <dynamy/solver/problem/stop_with.hpp>
 #include <limits>
+#include <utility>
 
 namespace dynamy {
 namespace {
@@ -12,39 +14,67 @@ constexpr double kSameVelocity = 1e-6;  ///< fraction of u_ref: smaller differen
 
 }  // namespace
 
-void MinimalNorm::apply(const InclusionProblem& p, InclusionSolver& solver, Vec Lambda,
-                        SolveReport& report) {
+bool MinimalNorm::follow(const InclusionProblem& p, InclusionSolver& solver, SolveReport& report) {
   double unit = std::numeric_limits<double>::infinity();
   for (int i = 0; i < p.size(); ++i)
     if (const double lambda = contactLambda(p.G->diagonalBlock(i), p.dim(i)); lambda > 0.0)
       unit = std::min(unit, lambda);
-  if (!report.ok() || !std::isfinite(unit)) return;
+  if (!std::isfinite(unit)) return false;
   problem_ = p;
   const StopWith stop(p.rule);
   problem_.G = &G_, problem_.rule = &stop, problem_.stop = p.stop;
-  trial_ = Lambda;
-  double a = 0.0;
+  const auto solved = [&](const InclusionProblem& problem) {
+    const SolveReport step = solver.solve(problem, view(trial_));
+    report.iterations += step.iterations, report.newton += step.newton;
+    if (step.ok()) report.residuals = step.residuals;
+    return step.ok();
+  };
   for (const double part : kPath) {
-    a = part * unit;
     BlockRows rows = p.G->blockRows();
     for (int i = 0; i < p.size(); ++i)
       for (int k = 0; k < p.dim(i); ++k)
         rows.value[static_cast<std::size_t>(rows.value0[static_cast<std::size_t>(rows.find(i, i))] +
-                                            k * (p.dim(i) + 1))] += a;
+                                            k * (p.dim(i) + 1))] += part * unit;
     G_.given(*p.contacts, std::move(rows));
-    const SolveReport step = solver.solve(problem_, view(trial_));
-    report.iterations += step.iterations, report.newton += step.newton;
-    if (!step.ok()) return;
+    if (!solved(problem_)) return false;
   }
-  SolveReport last = solver.solve(p, view(trial_));
-  report.iterations += last.iterations, report.newton += last.newton;
-  if (!last.ok() || trial_.norm() > (1.0 + 1e-9) * Lambda.norm()) return;
+  return solved(p);
+}
+
+void MinimalNorm::apply(const InclusionProblem& p, InclusionSolver& solver, Vec Lambda,
+                        SolveReport& report) {
+  if (!report.ok()) return;
+  trial_ = Lambda;
+  const Residuals before = report.residuals;
+  const bool found = follow(p, solver, report);
+  const Residuals last = std::exchange(report.residuals, before);
+  if (!found || trial_.norm() > (1.0 + 1e-9) * Lambda.norm()) return;
   // A solution with other velocities is discarded.
   Eigen::VectorXd change = trial_ - Lambda, velocity(p.rows());
   p.G->apply(change.data(), velocity.data());
   if (velocity.lpNorm<Eigen::Infinity>() > kSameVelocity * p.uRef) return;
   Lambda = trial_;
-  report.residuals = last.residuals;
+  report.residuals = last;
+}
+
+bool MinimalNorm::rest(const InclusionProblem& p, InclusionSolver& solver, Vec Lambda,
+                       SolveReport& report) {
+  trial_.setZero(p.rows());
+  const SolveReport before = report;
+  if (follow(p, solver, report)) {
+    Eigen::VectorXd xi(p.rows());
+    p.G->apply(trial_.data(), xi.data());
+    xi += Eigen::Map<const Eigen::VectorXd>(p.c.data(), p.rows());
+    if (xi.lpNorm<Eigen::Infinity>() <= kSameVelocity * p.uRef) {
+      Lambda = trial_;
+      report.method = "rest", report.status = SolveStatus::solved;
+      return true;
+    }
+  }
+  const int iterations = report.iterations, newton = report.newton;
+  report = before;
+  report.iterations = iterations, report.newton = newton;
+  return false;
 }
 
 }  // namespace dynamy

@@ -13,8 +13,8 @@ void ImplicitForces::resolve(const SystemParts& parts, const Evaluation& e, cons
                              double dt, const ImplicitWeights& declared, bool neutral) {
   unresolved_ = stiff_.evaluateUnresolved(*parts.topology, parts.forces, e.kinematics, x, e.mass,
                                           dt, neutral);
-  const double share = stiff_.share();
-  resolution_ = {share, share > ForceResolution::kExplicit};
+  const double swing = stiff_.swing();
+  resolution_ = {swing, swing > ForceResolution::kExplicit};
   damp(unresolved_ && !stiff_.neutral() ? stiff_.unresolved() : std::span<const char>());
   if (!unresolved_) return;
   stiff_.factor(e.mass, dt, declared, stiff_.neutral() ? kImplicitMidpoint : kImplicitEnd);

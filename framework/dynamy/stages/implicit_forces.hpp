@@ -7,9 +7,9 @@
 
 namespace dynamy {
 
-/// How well a step resolves the forces that change with the position.
+/// How well a step resolves the forces that swing.
 struct ForceResolution {
-  double share = 0.0;   ///< of the stability limit of explicit rules (UnresolvedForces)
+  double share = 0.0;   ///< of the stability limit of explicit rules (UnresolvedForces::swing)
   bool coarse = false;  ///< by more than the scheme takes without an error in the energy
   /// Share above which an explicit step is coarse: ωΔt = 0.5 between two equal bodies, whose energy
   /// swings by 3 %. The implicit midpoint rule keeps it up to the limit.

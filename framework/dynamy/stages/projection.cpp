@@ -20,22 +20,61 @@ constexpr int kMostTouched = 200;
 /// Share of the largest diagonal entry that is added to the diagonal: redundant rows then share.
 constexpr double kRedundantRow = 1e-10;
 
-/// Normal impulse of contact `key` in the last step, 0 if it had none.
-double carried(const KeyIndex& index, const RememberedImpulses& impulses, ContactKey key) {
-  const int i = index.find(key);
+/// Part of an overlap by which it grows in a step, at least, where a rebound does not remove it, and of
+/// the scene's length which it reaches before it is repaired: that lifts bodies, and is no exact work.
+constexpr double kGrows = 0.01, kCreeps = 1e-3;
+/// Part of its way in a step by which a body that slides round closes a contact, at most: more is an
+/// impact.
+constexpr double kSlides = 0.1;
+
+/// Normal impulse of remembered contact i, 0 if it had none.
+double carried(const RememberedImpulses& impulses, int i) {
   if (i < 0) return 0.0;
   const int first = impulses.first[static_cast<std::size_t>(i)];
   const bool any = impulses.first[static_cast<std::size_t>(i) + 1] > first;
   return any ? impulses.Lambda[static_cast<std::size_t>(first)] : 0.0;
 }
 
-/// True: contact i is unilateral and has no restitution.
-bool rests(const ContactSet& c, int i) {
-  const SetValuedForceLaw& law = *c.law[static_cast<std::size_t>(i)];
-  if (!law.unilateral()) return false;
+/// Normal velocity of contact i at the velocities u, and the largest of them in its systems.
+struct Approach {
+  double gamma = 0.0, speed = 0.0;
+};
+Approach approach(const ContactSet& c, int i, const Eigen::VectorXd& u) {
+  const auto at = static_cast<std::size_t>(i);
+  Approach out{c.chi[static_cast<std::size_t>(c.row0[at])]};
+  for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    const auto own = u.segment(s.u0, s.nu);
+    out.gamma += ConstVec(c.W.data() + s.w, s.nu).dot(own);
+    out.speed = std::max(out.speed, own.cwiseAbs().maxCoeff());
+  }
+  return out;
+}
+
+/// True: contact i has restitution.
+bool rebounds(const ContactSet& c, int i) {
   double epsilon[kMostRows] = {};
-  law.epsilon(c.dim(i), epsilon);
-  return epsilon[0] == 0.0;
+  c.law[static_cast<std::size_t>(i)]->epsilon(c.dim(i), epsilon);
+  return epsilon[0] > 0.0;
+}
+
+/// True: contact i, at the state x, does not remove an overlap itself: it has no restitution, or it has
+/// carried in the last step and approaches all the same, as where a body slides round
+/// within a bore, if the overlap is less than the way of a step, grows, and is above kCreeps of the
+/// scene's length. A rebound does remove it.
+bool rests(const ContactSet& c, int i, const State& x, double length) {
+  const auto at = static_cast<std::size_t>(i);
+  if (!c.law[at]->unilateral()) return false;
+  if (!rebounds(c, i)) return true;
+  const Approach now = approach(c, i, x.u);
+  const double overlap = -c.position[static_cast<std::size_t>(c.row0[at])];
+  const double way = x.impulses.dt * now.speed, closes = -x.impulses.dt * now.gamma;
+  if (!(overlap > kCreeps * length) || overlap > way || closes < kGrows * overlap ||
+      closes > kSlides * way)
+    return false;
+  const std::vector<ContactKey>& last = x.impulses.key;  // rarely searched: no index is worth it
+  const auto found = std::find(last.begin(), last.end(), c.key[at]);
+  return found != last.end() && carried(x.impulses, static_cast<int>(found - last.begin())) > 0.0;
 }
 
 /// √(wᵀM⁻¹w), added up over the blocks, of the first row w of contact i.
@@ -55,18 +94,18 @@ double rootOfG(const ContactSet& c, const MassMatrix& mass, int i) {
 
 }  // namespace
 
-double largestOverlap(const ContactSet& c) {
+double largestOverlap(const ContactSet& c, const State& x, double length) {
   double worst = 0.0;
   for (int i = 0; i < c.size(); ++i) {
     const double overlap =
         -c.position[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)])];
-    if (overlap > worst && rests(c, i)) worst = overlap;
+    if (overlap > worst && rests(c, i, x, length)) worst = overlap;
   }
   return worst;
 }
 
-double largestViolation(const ContactSet& c) {
-  double worst = largestOverlap(c);
+double largestViolation(const ContactSet& c, const State& x, double length) {
+  double worst = largestOverlap(c, x, length);
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (c.law[at]->unilateral() || c.law[at]->rowKind(0) != RowKind::joint) continue;
@@ -86,13 +125,14 @@ void Projection::select(const MechanicalSystem& s, const ContactSet& all, const 
   for (int i = 0; i < all.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const SetValuedForceLaw& law = *all.law[at];
-    const bool carries = law.unilateral() && carried(remembered_, x.impulses, all.key[at]) > 0.0;
+    const bool carries =
+        law.unilateral() && carried(x.impulses, remembered_.find(all.key[at])) > 0.0;
     if (law.unilateral()) {
       if (level == Level::touch && (isTouched(all.key[at]) || carries)) {
         append(all, i, 1, bilateral_, contacts_);
         if (!isTouched(all.key[at])) contacts_.position.back() = 0.0;
       } else if (level != Level::velocity) {
-        if (rests(all, i)) append(all, i, 1, unilateral_, contacts_);
+        if (rests(all, i, x, s.limits.length)) append(all, i, 1, unilateral_, contacts_);
       } else if (carries) {
         append(all, i, all.dim(i), law, contacts_);
       }
@@ -189,8 +229,10 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
     for (const double g : s.slot(0).contacts.position) reach = std::max(reach, 2.0 * g);
   const auto violation = [&] {
     const ContactSet& c = s.evaluate(x, {.slot = slot, .reach = reach}).contacts;
-    if (level == Level::touch) return std::max(largestOverlap(c), largestGap(c));
-    return level == Level::overlap ? largestOverlap(c) : largestViolation(c);
+    if (level == Level::touch)
+      return std::max(largestOverlap(c, x, s.limits.length), largestGap(c));
+    return level == Level::overlap ? largestOverlap(c, x, s.limits.length)
+                                   : largestViolation(c, x, s.limits.length);
   };
   double worst = violation(), least = worst, goal = worst;
   int idle = 0;
@@ -274,7 +316,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
     if (!law.unilateral() && !holds(law.rowKind(0))) continue;
     // A contact with restitution takes part once it is closed.
     const double g = all.position[static_cast<std::size_t>(all.row0[at])];
-    if (law.unilateral() && !rests(all, i) && g > s.gTol()) continue;
+    if (law.unilateral() && rebounds(all, i) && g > s.gTol()) continue;
     append(all, i, all.dim(i), law, contacts_);
     const double closes = law.unilateral() ? closing(all, i, delta_[all.row0[at]], dt) : 0.0;
     if (closes <= 0.0) continue;

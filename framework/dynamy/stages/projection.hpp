@@ -11,6 +11,7 @@
 #pragma once
 #include <dynamy/law/standard_laws.hpp>
 #include <dynamy/stages/one_step.hpp>
+#include <limits>
 #include <optional>
 
 namespace dynamy {
@@ -73,9 +74,12 @@ class Projection {
   Bilateral bilateral_;
 };
 
-/// Largest overlap of a contact without restitution [m].
-double largestOverlap(const ContactSet& contacts);
-/// Largest error of a joint, or overlap of a contact without restitution [m, –].
-double largestViolation(const ContactSet& contacts);
+/// Largest overlap at x of a contact that does not remove it by a rebound [m]. `length`: of the scene;
+/// infinity: of contacts without restitution alone.
+double largestOverlap(const ContactSet& contacts, const State& x,
+                      double length = std::numeric_limits<double>::infinity());
+/// Largest error of a joint, or largestOverlap() [m, –].
+double largestViolation(const ContactSet& contacts, const State& x,
+                        double length = std::numeric_limits<double>::infinity());
 
 }  // namespace dynamy

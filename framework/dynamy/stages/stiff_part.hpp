@@ -27,8 +27,8 @@ class StiffPart {
   bool neutral() const { return found_.neutral(); }
   /// By index: 1 for the forces found last.
   std::span<const char> unresolved() const { return found_.taken(); }
-  /// UnresolvedForces::share of the last step that looked for them.
-  double share() const { return found_.share(); }
+  /// UnresolvedForces::swing of the last step that looked for them.
+  double swing() const { return found_.swing(); }
   /// Factorises M̂ with these weights; unresolved forces have weights of their own.
   void factor(const MassMatrix& mass, double dt, const ImplicitWeights& weights,
               const ImplicitWeights& unresolved = kImplicitEnd) {

@@ -13,11 +13,22 @@ constexpr double kOwnShare = 0.1;
 
 }  // namespace
 
-double UnresolvedForces::shareOf(const StiffEntry& e, const MassMatrix& mass, double dt) const {
+UnresolvedForces::Share UnresolvedForces::shareOf(const StiffEntry& e, const MassMatrix& mass,
+                                                  double dt) const {
   const int b = block(e.i);
-  if (b != block(e.j)) return 0.0;  // the entry is not in the trace
+  if (b != block(e.j)) return {};  // the entry is not in the trace
   const double inverse = mass.inverse(b)(e.j - mass.u0(b), e.i - mass.u0(b));
-  return -inverse * (0.25 * dt * dt * e.K + 0.5 * dt * e.D);
+  return {-inverse * 0.25 * dt * dt * e.K, -inverse * 0.5 * dt * e.D};
+}
+
+UnresolvedForces::Share UnresolvedForces::shareOfBlock(std::size_t& first, std::size_t end,
+                                                       const MassMatrix& mass, double dt) const {
+  Share out;
+  for (const int b = block(all_[first].i); first < end && block(all_[first].i) == b; ++first) {
+    const Share one = shareOf(all_[first], mass, dt);
+    out.K += one.K, out.D += one.D;
+  }
+  return out;
 }
 
 bool UnresolvedForces::find(const std::vector<const ExternalForce*>& forces, const Kinematics& k,
@@ -31,14 +42,21 @@ bool UnresolvedForces::find(const std::vector<const ExternalForce*>& forces, con
     if (!f->stiff()) f->addStiffness(k, sink);
     ends_.push_back(all_.size());
   }
-  taken_.assign(forces.size(), 0), share_ = 0.0, neutral_ = false;
+  taken_.assign(forces.size(), 0), share_ = swing_ = 0.0, neutral_ = false;
   if (all_.empty()) return false;
-  shares_.assign(static_cast<std::size_t>(mass.blocks()), 0.0);
-  for (const StiffEntry& e : all_)
-    shares_[static_cast<std::size_t>(block(e.i))] += shareOf(e, mass, dt);
-  share_ = *std::max_element(shares_.begin(), shares_.end());
-  neutral_ = neutral && share_ <= kUnresolved;
+  shares_.assign(static_cast<std::size_t>(mass.blocks()), 0.0), swings_ = shares_;
   std::size_t first = 0;
+  for (const std::size_t end : ends_)
+    while (first < end) {
+      const auto b = static_cast<std::size_t>(block(all_[first].i));
+      const Share own = shareOfBlock(first, end, mass, dt);
+      shares_[b] += own.sum();
+      if (!(own.D > 0.0 && own.D * own.D >= 4.0 * own.K)) swings_[b] += own.K;
+    }
+  share_ = *std::max_element(shares_.begin(), shares_.end());
+  swing_ = *std::max_element(swings_.begin(), swings_.end());
+  neutral_ = neutral && share_ <= kUnresolved;
+  first = 0;
   for (std::size_t f = 0; f < forces.size(); ++f) {
     if (isUnresolved(first, ends_[f], mass, dt)) {
       taken_[f] = 1;
@@ -56,8 +74,7 @@ bool UnresolvedForces::isUnresolved(std::size_t first, std::size_t end, const Ma
   const double most = neutral_ ? kNeutral : kUnresolved;
   while (first < end) {
     const int b = block(all_[first].i);
-    double own = 0.0;
-    for (; first < end && block(all_[first].i) == b; ++first) own += shareOf(all_[first], mass, dt);
+    const double own = shareOfBlock(first, end, mass, dt).sum();
     if (shares_[static_cast<std::size_t>(b)] > most && own > kOwnShare * most) return true;
   }
   return false;

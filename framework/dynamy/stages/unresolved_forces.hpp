@@ -12,6 +12,9 @@
 /// 1.4 for a spring to the ground, and 2 for a spring between two equal bodies. Rejected: the
 /// largest eigenvalue of all forces together, by which soft forces would count as unresolved, too.
 ///
+/// A force whose own part of D is at least 2 √(its part of K) is overdamped and does not swing: taken at
+/// the end of the step it follows what varies slowly, and no shorter step is needed to resolve it.
+///
 /// Explicit rules keep the energy of an oscillation only while their steps are equal. Where steps
 /// are not, and no block is above one half, forces above a share of 0.002 are found for the neutral
 /// implicit midpoint rule, which keeps it whatever the steps (theory 37.6).
@@ -36,18 +39,27 @@ class UnresolvedForces {
   std::span<const char> taken() const { return taken_; }
   /// Largest share of a block, of all its forces; after find(). It grows with Δt² for undamped forces.
   double share() const { return share_; }
+  /// The same of the stiffness of forces that swing.
+  double swing() const { return swing_; }
   /// Mass block of a velocity; after find().
   int block(int u) const { return blockOf_[static_cast<std::size_t>(u)]; }
 
  private:
-  double shareOf(const StiffEntry& e, const MassMatrix& mass, double dt) const;
+  /// Parts of K and D in a share.
+  struct Share {
+    double K = 0.0, D = 0.0;
+    double sum() const { return K + D; }
+  };
+  Share shareOf(const StiffEntry& e, const MassMatrix& mass, double dt) const;
+  /// Share of the entries from `first` on that belong to the same block; moves `first` behind them.
+  Share shareOfBlock(std::size_t& first, std::size_t end, const MassMatrix& mass, double dt) const;
   bool isUnresolved(std::size_t first, std::size_t end, const MassMatrix& mass, double dt) const;
   std::vector<StiffEntry> all_, entries_;
   std::vector<std::size_t> ends_;  // of forces, in all_
   std::vector<char> taken_;
-  std::vector<double> shares_;  // per mass block
+  std::vector<double> shares_, swings_;  // per mass block
   std::vector<int> blockOf_;
-  double share_ = 0.0;
+  double share_ = 0.0, swing_ = 0.0;
   bool neutral_ = false;
 };
 

@@ -66,7 +66,7 @@ inline Landing land(const std::string& file, double k, double dt, double until, 
     out.unsolvedSteps += failed, out.silent += failed && scene.report().solved.ok();
     newton = count.newton, sweeps = count.sweeps, unsolved = count.unsolved;
     out.overlap =
-        std::max(out.overlap, largestOverlap(scene.system().evaluate(x, {.slot = 1}).contacts));
+        std::max(out.overlap, largestOverlap(scene.system().evaluate(x, {.slot = 1}).contacts, x));
     evaluations = scene.system().evaluations();
   });
   out.worst = count.worst;

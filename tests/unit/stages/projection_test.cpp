@@ -119,11 +119,11 @@ TEST(Projection, EndsWithWhatCameNearest) {
   // Nothing meets a tolerance below zero: turns that do not halve the violation end it.
   LinkedMasses rod = rodOffBy(0.25);
   EXPECT_FALSE(Projection().positions(*rod.system, rod.solver, rod.x, -1.0));
-  EXPECT_LT(largestViolation(rod.system->evaluate(rod.x).contacts), 0.25 * kSolved);
+  EXPECT_LT(largestViolation(rod.system->evaluate(rod.x).contacts, rod.x), 0.25 * kSolved);
   // Rods of 1 and of 1.5 m: whatever corrections lead to, the result is no worse than the start.
   LinkedMasses both(kMasses, Vector2d(1.2, 0.0), Vector2d::Zero(), {{0, 1, 1.0}, {0, 1, 1.5}});
   EXPECT_FALSE(Projection().positions(*both.system, both.solver, both.x, 1e-12));
-  EXPECT_LE(largestViolation(both.system->evaluate(both.x).contacts), 0.3 + 1e-12);
+  EXPECT_LE(largestViolation(both.system->evaluate(both.x).contacts, both.x), 0.3 + 1e-12);
 }
 
 TEST(Projection, OfVelocitiesKeepsTheMomentum) {

@@ -38,12 +38,28 @@ double freeG(const ContactSet& c, const MassMatrix& mass, int i) {
   return G;
 }
 
-/// True: the two contacts move a common part of the mechanism; otherwise they are not coupled.
-bool meet(const ContactResponse& a, const ContactResponse& b) {
-  return std::any_of(a.parts.begin(), a.parts.end(), [&](int p) { return b.moves(p); });
+}  // namespace
+
+void CoupledContacts::list(const std::vector<ContactResponse>& responses, int n) {
+  for (std::vector<int>& of : ofPart_) of.clear();
+  for (int i = 0; i < n; ++i)
+    for (const int p : responses[static_cast<std::size_t>(i)].parts) {
+      if (static_cast<std::size_t>(p) >= ofPart_.size())
+        ofPart_.resize(static_cast<std::size_t>(p) + 1);
+      ofPart_[static_cast<std::size_t>(p)].push_back(i);
+    }
 }
 
-}  // namespace
+const std::vector<int>& CoupledContacts::with(int i, const ContactResponse& response) {
+  coupled_.assign(1, i);
+  for (const int p : response.parts) {
+    const std::vector<int>& of = ofPart_[static_cast<std::size_t>(p)];
+    coupled_.insert(coupled_.end(), of.begin(), of.end());
+  }
+  std::sort(coupled_.begin(), coupled_.end());
+  coupled_.erase(std::unique(coupled_.begin(), coupled_.end()), coupled_.end());
+  return coupled_;
+}
 
 void CondensedContacts::begin(const MechanicalSystem& s, const State& x, double dt) {
   contacts_.clear(), Lambda_.clear(), closed_.clear(), asked_.clear();
@@ -53,7 +69,9 @@ void CondensedContacts::begin(const MechanicalSystem& s, const State& x, double 
     if (all.position[static_cast<std::size_t>(all.row0[at])] <= s.gTol())
       closed_.push_back(all.key[at]);
   }
+  std::sort(closed_.begin(), closed_.end());
   last_ = x.impulses;
+  ofLast_.build(last_.key);
   const double scale = last_.dt > 0.0 ? dt / last_.dt : 0.0;
   for (double& L : last_.Lambda) L *= scale;
   dt_ = dt;
@@ -91,9 +109,9 @@ bool CondensedContacts::misses(const MechanicalSystem& s, const State& xA,
 }
 
 double CondensedContacts::start(ContactKey key, int row) const {
-  const auto found = std::find(last_.key.begin(), last_.key.end(), key);
-  if (found == last_.key.end()) return 0.0;
-  const auto i = static_cast<std::size_t>(found - last_.key.begin());
+  const int found = ofLast_.find(key);
+  if (found < 0) return 0.0;
+  const auto i = static_cast<std::size_t>(found);
   const int at = last_.first[i] + row;
   return at < last_.first[i + 1] ? last_.Lambda[static_cast<std::size_t>(at)] : 0.0;
 }
@@ -102,6 +120,7 @@ void CondensedContacts::select(const MechanicalSystem& s, const State& xA, const
                                double dt) {
   if (contacts_.size() > 0) {  // impulses of the last turn
     last_.key = contacts_.key, last_.first = contacts_.row0, last_.Lambda = Lambda_;
+    std::swap(ofLast_, ofPresent_);
   }
   const ContactSet& all = s.slot(0).contacts;
   contacts_.clear();
@@ -122,6 +141,7 @@ void CondensedContacts::select(const MechanicalSystem& s, const State& xA, const
     std::sort(asked_.begin(), asked_.end());
     asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
   }
+  ofPresent_.build(contacts_.key);
   const auto n = static_cast<std::size_t>(contacts_.rows());
   Lambda_.assign(n, 0.0);
   impulse_.setZero(xA.u.size()), w_.resize(xA.u.size());
@@ -147,7 +167,7 @@ double CondensedContacts::aim(int i, double gTol) const {
   const double position = contacts_.position[first], g = position > gTol ? position : 0.0;
   const double begin = problem_.gammaA[first];
   if (epsilon[0] > 0.0 && begin < 0.0 &&
-      std::find(closed_.begin(), closed_.end(), contacts_.key[at]) == closed_.end())
+      !std::binary_search(closed_.begin(), closed_.end(), contacts_.key[at]))
     return g / dt_ + 4.0 * (std::abs(problem_.gammaFree[first]) + std::abs(begin));
   return g / dt_ + (1.0 - epsilon[0]) * std::max(0.0, begin);
 }
@@ -160,8 +180,8 @@ void CondensedContacts::pose(const MechanicalSystem& s) {
     const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
     if (problem_.law(i).unilateral()) problem_.gammaFree[first] += aim(i, s.gTol());
     const bool rate = problem_.law(i).rowKind(0) == RowKind::rate;
-    if (rate || std::find(meanSlip_.begin(), meanSlip_.end(),
-                          contacts_.key[static_cast<std::size_t>(i)]) != meanSlip_.end())
+    if (rate || std::binary_search(meanSlip_.begin(), meanSlip_.end(),
+                                   contacts_.key[static_cast<std::size_t>(i)]))
       for (std::size_t r = first + (rate ? 0 : 1);
            r < first + static_cast<std::size_t>(contacts_.dim(i)); ++r)
         problem_.gammaFree[r] += problem_.gammaA[r];
@@ -196,12 +216,12 @@ void CondensedContacts::findHeld(const MechanicalSystem& s, const JointNewton& n
 BlockRows CondensedContacts::condensed(const JointNewton& newton) {
   BlockRows G = delassus_.release();
   G.clear();
+  coupled_.list(response_, contacts_.size());
   for (int i = 0; i < contacts_.size(); ++i) {
     const bool held = held_[static_cast<std::size_t>(i)] > 0.0;
-    for (int j = 0; j < contacts_.size(); ++j) {
+    for (const int j : coupled_.with(i, response_[static_cast<std::size_t>(i)])) {
       if (held && i != j) continue;
       const ContactResponse& response = response_[static_cast<std::size_t>(j)];
-      if (i != j && !meet(response_[static_cast<std::size_t>(i)], response)) continue;
       const auto value0 = static_cast<std::ptrdiff_t>(G.value.size());
       for (int r = 0; r < contacts_.dim(i); ++r)
         for (int m = 0; m < contacts_.dim(j); ++m) {
@@ -302,14 +322,13 @@ bool CondensedContacts::frictionDrives(const Eigen::VectorXd& v, const State& xA
     }
     if (work > 0.0 && speed > kDriving * noise) meanSlip_.push_back(contacts_.key[at]);
   }
+  std::sort(meanSlip_.begin(), meanSlip_.end());
   return !meanSlip_.empty();
 }
 
 const double* CondensedContacts::of(ContactKey key) const {
-  for (int i = 0; i < contacts_.size(); ++i)
-    if (contacts_.key[static_cast<std::size_t>(i)] == key)
-      return Lambda_.data() + contacts_.row0[static_cast<std::size_t>(i)];
-  return nullptr;
+  const int i = ofPresent_.find(key);
+  return i < 0 ? nullptr : Lambda_.data() + contacts_.row0[static_cast<std::size_t>(i)];
 }
 
 }  // namespace dynamy

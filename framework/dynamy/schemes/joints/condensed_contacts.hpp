@@ -7,9 +7,23 @@
 /// of their forces; it is not symmetric. Rejected: contacts first and joints afterwards, since each
 /// correction would undo the other.
 #pragma once
+#include <dynamy/contact/key_index.hpp>
 #include <dynamy/schemes/joints/joint_newton.hpp>
 
 namespace dynamy {
+
+/// Which contacts are coupled, since they move common parts of a mechanism.
+class CoupledContacts {
+ public:
+  /// Lists the first n of the contacts with these responses by the parts that they move.
+  void list(const std::vector<ContactResponse>& responses, int n);
+  /// Contacts that move a part that contact i, with this response, moves, and i itself, ascending.
+  const std::vector<int>& with(int i, const ContactResponse& response);
+
+ private:
+  std::vector<std::vector<int>> ofPart_;
+  std::vector<int> coupled_;
+};
 
 class CondensedContacts {
  public:
@@ -50,13 +64,15 @@ class CondensedContacts {
   Delassus delassus_;
   InclusionProblem problem_;
   RememberedImpulses last_;
-  std::vector<ContactKey> closed_;  // contacts closed at q^A
+  KeyIndex ofLast_, ofPresent_;     // of last_.key and contacts_.key
+  std::vector<ContactKey> closed_;  // contacts closed at q^A, sorted
   std::vector<ContactKey> asked_;   // contacts selected in this step, sorted; not used if few_
   bool few_ = true;
-  std::vector<ContactKey> meanSlip_;
+  std::vector<ContactKey> meanSlip_;  // sorted
   double dt_ = 0.0;
   std::vector<double> Lambda_, old_, gapSlope_;
   std::vector<ContactResponse> response_;  // response of each contact
+  CoupledContacts coupled_;
   std::vector<double> held_;  // per contact: wᵀM⁻¹w if joints hold its place, else 0
   Eigen::VectorXd impulse_, w_, uE_;
 };

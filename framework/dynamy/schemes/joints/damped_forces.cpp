@@ -10,7 +10,7 @@ bool DampedForces::begin(MechanicalSystem& s, const State& x, double dt) {
   const Evaluation* e = &without(s, x);
   if (forces.empty()) return false;
   const bool some = forces_.find(forces, e->kinematics, e->mass, dt);
-  s.implicitForces().resolution({forces_.share(), some});
+  s.implicitForces().resolution({forces_.swing(), some});
   if (!some && withheld_.empty()) return false;
   if (!std::equal(withheld_.begin(), withheld_.end(), forces_.taken().begin(),
                   forces_.taken().end())) {

@@ -81,9 +81,17 @@ void JointEquations::boundQuotients(const Evaluation& e) {
 /// Λ of the last step in proportion to Δt; zero for joints that were not there.
 void JointEquations::startFrom(const RememberedImpulses& last, const ContactSet& c) {
   std::fill(Lambda.begin(), Lambda.end(), 0.0);
-  for (std::size_t k = 0; k < joints_.size() && last.dt > 0.0; ++k) {
-    const auto found = std::find(last.key.begin(), last.key.end(), c.key[joints_[k]]);
-    if (found == last.key.end()) continue;
+  if (!(last.dt > 0.0)) return;
+  // Both lists have mostly the same order: the next one is searched behind the last one found.
+  auto behind = last.key.begin();
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const ContactKey key = c.key[joints_[k]];
+    auto found = std::find(behind, last.key.end(), key);
+    if (found == last.key.end()) {
+      found = std::find(last.key.begin(), behind, key);
+      if (found == behind) continue;
+    }
+    behind = found + 1;
     const auto i = static_cast<std::size_t>(found - last.key.begin());
     if (last.first[i + 1] - last.first[i] != c.dim(joints_[k])) continue;
     for (int r = 0; r < c.dim(joints_[k]); ++r)
