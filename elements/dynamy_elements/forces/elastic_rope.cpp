@@ -142,6 +142,7 @@ void ElasticRope::findPosts(Topology& topology) {
   if (!moves)
     throw ModelError("the rope touches nothing that moves",
                      "one end or sheave has to be on a body with velocities of its own");
+  flat_ = !plane.isZero(0.0);
   if (axis_.isZero(0.0)) axis_ = plane;
   const bool round =
       std::any_of(posts_.begin(), posts_.end(), [](const Post& p) { return p.radius > 0.0; });
@@ -161,10 +162,7 @@ void ElasticRope::connect(Topology& topology) {
   std::vector<Vec3> sides{sideA_};
   for (const auto& s : sheaves_) sides.push_back(s->side());
   sides.push_back(sideB_);
-  for (const Post& p : posts_) {
-    const Frame& f = k.frame(p.frame);
-    circles.push_back({f.r_OS_I + f.A_IK * p.point, p.radius, p.sense});
-  }
+  for (const Post& p : posts_) circles.push_back(circle(k, p, axis_I));
   chooseSenses(axis_I, circles, sides);
   const RopeWay way(axis_I, circles);
   double length = 0.0;
@@ -218,14 +216,18 @@ Vec3 ElasticRope::axis(const Kinematics& k) const {
   return carrierName_.empty() ? axis_ : Vec3(k.frame(carrier_).A_IK * axis_);
 }
 
+RopeCircle ElasticRope::circle(const Kinematics& k, const Post& p, const Vec3& axis) const {
+  const Frame& f = k.frame(p.frame);
+  Vec3 centre = f.r_OS_I + f.A_IK * p.point;
+  if (flat_) centre -= axis.dot(centre) * axis;
+  return {centre, p.radius, p.sense};
+}
+
 RopeWay ElasticRope::way(const Kinematics& k) const {
   std::array<RopeCircle, RopeWay::kMostCircles> circles;
-  for (std::size_t i = 0; i < posts_.size(); ++i) {
-    const Post& p = posts_[i];
-    const Frame& f = k.frame(p.frame);
-    circles[i] = {f.r_OS_I + f.A_IK * p.point, p.radius, p.sense};
-  }
-  return {axis(k), std::span(circles).first(posts_.size())};
+  const Vec3 a = axis(k);
+  for (std::size_t i = 0; i < posts_.size(); ++i) circles[i] = circle(k, posts_[i], a);
+  return {a, std::span(circles).first(posts_.size())};
 }
 
 Vec3 ElasticRope::strandVelocity(const Kinematics& k, int i) const {
@@ -237,16 +239,40 @@ Vec3 ElasticRope::strandVelocity(const Kinematics& k, int i) const {
   return velocity(posts_[at + 1]) - velocity(posts_[at]);
 }
 
+/// Ω of what carries the axis.
+Vec3 ElasticRope::carrierRate(const Kinematics& k) const {
+  return carrierName_.empty() ? Vec3::Zero() : Vec3(k.frame(carrier_).Omega_I);
+}
+
+double ElasticRope::drumRadius(int i) const {
+  const Post &first = posts_.front(), &last = posts_.back();
+  double out = 0.0;
+  if (i == 0 && first.state >= 0) out -= first.sense * first.radius;
+  if (i + 2 == static_cast<int>(posts_.size()) && last.state >= 0) out += last.sense * last.radius;
+  return out;
+}
+
+/// Sheaves and drums take part in l̇ by the turn of strands against what carries the axis:
+///
+///   l̇ = Σ (v·ė + (l/L) ρ α̇ + (D − ρ) α̇_c),   α̇_c = (a × t)·(ė − Ω_c × e)/l
 ElasticRope::Taut ElasticRope::taut(const Kinematics& k, const RopeWay& way) const {
   Taut out;
   out.free = length_;
   const int last = static_cast<int>(posts_.size()) - 1;
+  const Vec3 Omega = carrierRate(k);
+  const auto turns = [&](int i, const Vec3& spin) {
+    const RopeStrand& s = way.strand(i);
+    return s.across.dot(strandVelocity(k, i) - spin.cross(s.e)) / s.inPlane;
+  };
   for (int i = 0; i < last; ++i) {
     const RopeStrand& s = way.strand(i);
     if (!(s.length > 0.0))
       throw ModelError("two neighbours along the rope run into each other",
                        "an end or a sheave has come too near to the next one; stop the run before");
-    out.length += s.length, out.rate += s.t.dot(strandVelocity(k, i));
+    out.length += s.length, out.rate += s.v.dot(strandVelocity(k, i));
+    if (s.rho != 0.0 || drumRadius(i) != 0.0)
+      out.rate += s.inPlane / s.length * s.rho * turns(i, Vec3::Zero()) +
+                  (drumRadius(i) - s.rho) * turns(i, Omega);
     if (i == 0) continue;
     const Post& p = posts_[static_cast<std::size_t>(i)];
     const double theta = way.wrap(i);
@@ -260,14 +286,10 @@ ElasticRope::Taut ElasticRope::taut(const Kinematics& k, const RopeWay& way) con
     const Vec3 n = way.contact(end == 0 ? 0 : last, i), mark = f.A_IK * p.mark;
     const double angle = std::atan2(way.axis().dot(n.cross(mark)), n.dot(mark)),
                  counted = k.u(states_)[p.state];
-    const RopeStrand& s = way.strand(i);
-    const double turns = s.across.dot(strandVelocity(k, i)) / s.length;
     out.turn[end] = angle + kTwoPi * std::round((counted - angle) / kTwoPi);
-    out.turnRate[end] = way.axis().dot(f.Omega_I) - turns;
+    out.turnRate[end] = way.axis().dot(f.Omega_I - Omega) - turns(i, Omega);
     const double sign = (end == 0 ? 1.0 : -1.0) * p.sense * p.radius;
     out.free += sign * out.turn[end], out.freeRate += sign * out.turnRate[end];
-    // The strand's rate at a drum: l̇ has the part ρ α̇ besides t·ḋ.
-    out.rate -= sign * turns;
   }
   if (!(out.free > 0.0))
     throw ModelError("the rope is wound up", "its free length is zero; stop the run before");
@@ -286,12 +308,14 @@ void ElasticRope::pull(const Kinematics& k, const RopeWay& way, double S, double
     const RopeStrand& s = way.strand(i);
     const Post &from = posts_[static_cast<std::size_t>(i)],
                &to = posts_[static_cast<std::size_t>(i) + 1];
-    double across = 0.0;
-    if (from.state >= 0 && i == 0) across += from.sense * from.radius;
-    if (to.state >= 0 && i + 1 == way.strands()) across -= to.sense * to.radius;
-    const Vec3 F = S * s.t + across * extra / s.length * s.across;
+    const double across = drumRadius(i) * extra, lean = 1.0 - s.inPlane / s.length;
+    const bool turns = across != 0.0 || s.rho != 0.0;
+    Vec3 F = S * s.v;
+    if (turns) F -= (across + S * s.rho * lean) / s.inPlane * s.across;
     sink.force(k.frame(from.frame), lever(from), F);
     sink.force(k.frame(to.frame), lever(to), -F);
+    if (turns && !carrierName_.empty())
+      sink.moment(k.frame(carrier_), (across + S * s.rho) * s.aside / s.inPlane * s.t);
   }
   for (const Post* end : {&posts_.front(), &posts_.back()}) {
     if (end->state < 0) continue;

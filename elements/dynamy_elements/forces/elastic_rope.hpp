@@ -9,7 +9,9 @@
 ///
 ///   M = ±σ r (S + S²/(2 EA)),   and the strand S²/(2 EA) r/l across itself,
 ///
-/// so that winding keeps the energy. ψ is an angle between two directions; a state of the element
+/// so that winding keeps the energy. A strand that leans by h along the axis pulls along itself, and by
+/// S ρ (1 − l/L)/l across, since sheaves keep the rope in their plane; what carries the axis feels
+/// (D (S²/(2 EA)) + ρ S) h/l along t, D = ∓σ r of a drum, else 0 (theory 43.5). ψ is an angle between two directions; a state of the element
 /// counts its full turns.
 #pragma once
 #include <dynamy/system/external_force.hpp>
@@ -62,11 +64,15 @@ class ElasticRope final : public ExternalForce {
     double turn[2] = {0.0, 0.0}, turnRate[2] = {0.0, 0.0};        ///< ψ of A and B [rad], [rad/s]
   };
   Vec3 axis(const Kinematics& k) const;
+  RopeCircle circle(const Kinematics& k, const Post& p, const Vec3& axis) const;
   RopeWay way(const Kinematics& k) const;
   Taut taut(const Kinematics& k, const RopeWay& way) const;
   /// Tension `S` along the way, `extra` across the strands at drums.
   void pull(const Kinematics& k, const RopeWay& way, double S, double extra, ForceSink& sink) const;
   Vec3 strandVelocity(const Kinematics& k, int i) const;
+  Vec3 carrierRate(const Kinematics& k) const;
+  /// −σ r of a drum at the begin of strand i, σ r of one at its end; 0: none [m].
+  double drumRadius(int i) const;
   void findPosts(Topology& topology);
   void draw(const Kinematics& k, const RopeWay& way);
 
@@ -78,6 +84,7 @@ class ElasticRope final : public ExternalForce {
   std::vector<Post> posts_;
   SystemHandle states_;
   double EA_, damping_, length_, preload_;
+  bool flat_ = false;  // planar bodies: places across their plane mean nothing
   std::vector<PlacedLink> links_;
 };
 

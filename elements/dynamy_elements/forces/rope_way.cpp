@@ -36,14 +36,19 @@ RopeWay::RopeWay(const Vec3& axis_I, std::span<const RopeCircle> circles)
   std::copy(circles.begin(), circles.end(), circles_.begin());
   for (std::size_t i = 0; i + 1 < circles.size(); ++i) {
     const RopeCircle &from = circles_[i], &to = circles_[i + 1];
-    Vec3 d = to.centre_I - from.centre_I;
-    d -= axis_I_.dot(d) * axis_I_;
-    const double rho = to.sense * to.radius - from.sense * from.radius;
     RopeStrand s;
-    s.length = std::sqrt(std::max(d.squaredNorm() - rho * rho, 0.0));
-    const Vec3 along = s.length * d - rho * axis_I_.cross(d);
+    s.e = to.centre_I - from.centre_I;
+    s.aside = axis_I_.dot(s.e);
+    s.rho = to.sense * to.radius - from.sense * from.radius;
+    const Vec3 d = s.e - s.aside * axis_I_;
+    s.inPlane = std::sqrt(std::max(d.squaredNorm() - s.rho * s.rho, 0.0));
+    const Vec3 along = s.inPlane * d - s.rho * axis_I_.cross(d);
     s.t = along.norm() > 0.0 ? Vec3(along.normalized()) : Vec3(axis_I_.unitOrthogonal());
     s.across = axis_I_.cross(s.t);
+    // Between two points the axis means nothing.
+    const bool round = from.radius > 0.0 || to.radius > 0.0;
+    s.length = round && !(s.inPlane > 0.0) ? 0.0 : std::hypot(s.inPlane, s.aside);
+    s.v = s.length > 0.0 ? Vec3((s.inPlane * s.t + s.aside * axis_I_) / s.length) : s.t;
     strands_[i] = s;
   }
 }

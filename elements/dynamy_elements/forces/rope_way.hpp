@@ -1,13 +1,14 @@
-/// RopeWay: the way of a taut rope past circles in one plane: end, sheaves, end.      (theory 43.5)
+/// RopeWay: the way of a taut rope past circles with one axis: end, sheaves, end.     (theory 43.5)
 ///
-///   d = C₂ − C₁ without its part along a,   ρ = σ₂ r₂ − σ₁ r₁
-///   l = √(|d|² − ρ²),   t = (l d − ρ a × d)/|d|²,   n_i = −σ_i a × t
+///   e = C₂ − C₁ = d + h a,   d ⊥ a,   ρ = σ₂ r₂ − σ₁ r₁
+///   l = √(|d|² − ρ²),   t = (l d − ρ a × d)/|d|²,   n_i = −σ_i a × t,   L = √(l² + h²)
 ///
 /// for the strand from circle 1 to circle 2 with the common tangent t, which touches circle i at
 /// C_i + r_i n_i. a: axis, unit; σ = ±1: sense about a in which the rope runs past a circle. A circle
-/// of radius 0 is an end that is fixed to its frame. If the circles move, the strand turns with
+/// of radius 0 is an end that is fixed to its frame. A strand leans where its ends lie beside each
+/// other along the axis, by h, and has the length L. If the circles move, it turns about a with α̇:
 ///
-///   α̇ = (a × t)·ḋ/l,    l̇ = t·ḋ + ρ α̇
+///   α̇ = (a × t)·ė/l,    L̇ = v·ė + (l/L) ρ α̇,   v = (l t + h a)/L
 #pragma once
 #include <array>
 #include <dynamy/core/types.hpp>
@@ -25,9 +26,13 @@ struct RopeCircle {
 
 /// The free part of a rope between two circles.
 struct RopeStrand {
-  Vec3 t = Vec3::Zero();       ///< from the first circle to the second, unit
-  Vec3 across = Vec3::Zero();  ///< a × t
-  double length = 0.0;         ///< [m]; 0 where the circles overlap too much for a tangent
+  Vec3 t = Vec3::Zero();          ///< from the first circle to the second, unit, ⊥ a
+  Vec3 across = Vec3::Zero();     ///< a × t
+  Vec3 v = Vec3::Zero();          ///< along the strand, unit; t if it does not lean
+  Vec3 e = Vec3::Zero();          ///< from centre to centre [m]
+  double inPlane = 0.0;           ///< l [m]; 0 where the circles overlap too much for a tangent
+  double aside = 0.0, rho = 0.0;  ///< h, ρ [m]
+  double length = 0.0;            ///< L [m]; 0 where there is no strand
 };
 
 class RopeWay {

@@ -189,11 +189,13 @@ void Joint::describeSignal(const JointSignal& c, Description& d) const {
              if (start == 0.0) return x;
              return turn ? std::remainder(start + x, kTwoPi) : start + x;
            });
+  d.signals.back().ofState = true;
   d.signal(c.rate, turn ? Unit::angularVelocity : Unit::velocity, "its rate",
            [=, row = c.row](const SignalView& v) {
              const JointPose p = seen(v);
              return sign * rowRate(p, rowWrench(p, row));
            });
+  d.signals.back().ofState = true;
 }
 
 void Joint::describe(Description& d) const {

@@ -13,9 +13,9 @@ namespace {
 constexpr double kBrokenNow = 1e-13;  ///< part of the time within which a rope has just broken
 constexpr double kNoWrap = 1e-9;      ///< an angle of wrap below is zero [rad]
 
-/// Adds the Jacobian of `factor` times a·Ω to a row.
-void addSpin(Block W, int row, const Frame& f, const Vec3& a, double factor) {
-  for (int j = 0; j < f.nu(); ++j) W(row, j) += factor * f.J_R_I.col(j).dot(a);
+/// Adds the Jacobian of m·Ω to a row.
+void addSpin(Block W, int row, const Frame& f, const Vec3& m) {
+  for (int j = 0; j < f.nu(); ++j) W(row, j) += f.J_R_I.col(j).dot(m);
 }
 
 /// Acceleration at u̇ = 0 of the body point at rho_I.
@@ -88,13 +88,18 @@ SheaveRope::Strand SheaveRope::strand(const Frame& body, const Vec3& point, cons
                                       const Vec3& axis_I, double turn) const {
   Strand out;
   out.rho_I = body.A_IK * point;
-  Vec3 e = body.r_OS_I + out.rho_I - sheave.r_OS_I;
-  e -= axis_I.dot(e) * axis_I;
-  const double D = e.norm();
-  out.length = std::sqrt(std::max(D * D - radius_ * radius_, 0.0));
-  // e = r n + l t with t = turn a × n is solved for n.
-  out.n = (radius_ * e - turn * out.length * axis_I.cross(e)) / (D * D);
+  out.e = body.r_OS_I + out.rho_I - sheave.r_OS_I;
+  out.aside = axis_I.dot(out.e);
+  const Vec3 d = out.e - out.aside * axis_I;
+  if (flat_) out.e = d, out.aside = 0.0;
+  const double D = d.norm(), l = std::sqrt(std::max(D * D - radius_ * radius_, 0.0));
+  out.inPlane = l, out.length = std::hypot(l, out.aside);
+  // d = r n + l t with t = turn a × n is solved for n.
+  out.n = (radius_ * d - turn * l * axis_I.cross(d)) / (D * D);
   out.t = turn * axis_I.cross(out.n);
+  out.w = (l * out.t + out.aside * axis_I) / out.length -
+          radius_ * (1.0 / l - 1.0 / out.length) * out.n;
+  out.m = radius_ / l * out.e.cross(out.n);
   return out;
 }
 
@@ -129,11 +134,12 @@ void SheaveRope::connect(Topology& topology) {
   if (given.isZero(0.0))
     throw ModelError("the axis of the sheave is missing", "add axis=\"0 1 0\"");
   const Vec3 axis_I = given.normalized();
+  flat_ = !frames_.planeNormal.isZero(0.0);
   axis_S_ = S.A_IK.transpose() * axis_I;
   chooseSense(A, B, S, axis_I);
   const Strand a = strand(A, pointA_, S, axis_I, -sense_),
                b = strand(B, pointB_, S, axis_I, sense_);
-  if (!(a.length > 0.0 && b.length > 0.0))
+  if (!(a.inPlane > 0.0 && b.inPlane > 0.0))
     throw ModelError("an end of the rope lies within the sheave",
                      "move it out or take a smaller radius");
   const double taut = a.length + b.length + radius_ * wrap0_;
@@ -155,51 +161,90 @@ void SheaveRope::contacts(const Kinematics& k, ContactSink& sink) const {
   // never changes by a whole turn.
   double theta = wrap(a, b, axis_I, sense_);
   theta += kTwoPi * std::round((wrap0_ - theta) / kTwoPi);
+  if (theta < 0.0) return straight(A, a, B, b, sink);
   ContactRows out = sink.add(0, length_ - a.length - b.length - radius_ * theta, *law_, 2);
   if (!out) return;
   const bool slips = out.dim() > 1;
   const auto end = [&](const Frame& f, const Strand& s, double slip) {
     if (f.block >= 0) {
       const Block W = out.segment(f);
-      addPointRow(W, 0, f, s.rho_I, s.t, -1.0);
-      if (slips) addPointRow(W, 1, f, s.rho_I, s.t, slip);
+      addPointRow(W, 0, f, s.rho_I, s.w, -1.0);
+      if (slips) addPointRow(W, 1, f, s.rho_I, s.w, slip);
     }
-    const double nu = s.t.dot(f.nu_S_I + f.nu_R_I.cross(s.rho_I));
+    const double nu = s.w.dot(f.nu_S_I + f.nu_R_I.cross(s.rho_I));
     out.chi(0) -= nu;
     if (slips) out.chi(1) += slip * nu;
   };
   end(A, a, -0.5);
   end(B, b, 0.5);
-  const Vec3 pull = a.t + b.t, across = 0.5 * (a.t - b.t);
+  const Vec3 pull = a.w + b.w, across = 0.5 * (a.w - b.w);
+  const Vec3 turns = -a.m - b.m, spin = 0.5 * (b.m - a.m);
   if (S.block >= 0) {
     const Block W = out.segment(S);
     addPointRow(W, 0, S, Vec3::Zero(), pull, 1.0);
+    addSpin(W, 0, S, turns);
     if (slips) {
       addPointRow(W, 1, S, Vec3::Zero(), across, 1.0);
-      addSpin(W, 1, S, axis_I, -sense_ * radius_);
+      addSpin(W, 1, S, spin);
     }
   }
-  out.chi(0) += pull.dot(S.nu_S_I);
-  if (slips) out.chi(1) += across.dot(S.nu_S_I) - sense_ * radius_ * axis_I.dot(S.nu_R_I);
+  out.chi(0) += pull.dot(S.nu_S_I) + turns.dot(S.nu_R_I);
+  if (slips) out.chi(1) += across.dot(S.nu_S_I) + spin.dot(S.nu_R_I);
   if (out.wantsBias()) bias(out, k, a, b);
+}
+
+/// A rope that has left the sheave runs straight from P to Q. Its one row is a contact of its own where
+/// the law has more.
+void SheaveRope::straight(const Frame& A, const Strand& a, const Frame& B, const Strand& b,
+                          ContactSink& sink) const {
+  const bool alike = law_->dim(2) == 1;
+  const Vec3 d = b.e - a.e;
+  const double D = d.norm();
+  const Vec3 e = D > 0.0 ? Vec3(d / D) : a.t;
+  const SetValuedForceLaw* const law = alike ? law_.get() : &free_;
+  ContactRows out = sink.add(alike ? 0 : kStraight, length_ - D, *law, 1);
+  if (!out) return;
+  const auto end = [&](const Frame& f, const Strand& s, double sign) {
+    if (f.block >= 0) addPointRow(out.segment(f), 0, f, s.rho_I, e, sign);
+    out.chi(0) += sign * e.dot(f.nu_S_I + f.nu_R_I.cross(s.rho_I));
+  };
+  end(A, a, 1.0);
+  end(B, b, -1.0);
+  if (!out.wantsBias()) return;
+  const Vec3 rate = B.velocity(b.rho_I) - A.velocity(a.rho_I);
+  const double along = e.dot(rate), across = (rate - along * e).squaredNorm();
+  out.bias(0) =
+      -e.dot(ropePointBias(B, b.rho_I) - ropePointBias(A, a.rho_I)) - (D > 0.0 ? across / D : 0.0);
+}
+
+/// ṗ at u̇ = 0. The strand turns about the axis by α̇ = (a × t)·ė/l against the sheave, ė as seen
+/// from the sheave.
+double SheaveRope::biasOf(const Frame& f, const Frame& S, const Strand& s) const {
+  const double r = radius_, l = s.inPlane, h = s.aside, L = s.length;
+  const Vec3 a = S.A_IK * axis_S_, Omega = S.Omega_I;
+  const Vec3 rate = f.velocity(s.rho_I) - S.v_S_I, seen = rate - Omega.cross(s.e);
+  const Vec3 turn = Omega + a.cross(s.t).dot(seen) / l * a;
+  const Vec3 n = turn.cross(s.n), t = turn.cross(s.t), axis = Omega.cross(a);
+  const double dl = (s.e - h * a).dot(seen) / l, dh = a.dot(seen), dL = (l * dl + h * dh) / L;
+  const Vec3 u = (l * s.t + h * a) / L,
+             du = (dl * s.t + l * t + dh * a + h * axis) / L - dL / L * u;
+  const Vec3 dw = du + r * (dl / (l * l) - dL / (L * L)) * s.n - r * (1.0 / l - 1.0 / L) * n;
+  const Vec3 dm = -dl / l * s.m + r / l * (rate.cross(s.n) + s.e.cross(n));
+  return s.w.dot(ropePointBias(f, s.rho_I) - S.bias_S_I) + dw.dot(rate) + s.m.dot(S.bias_R_I) +
+         dm.dot(Omega);
 }
 
 void SheaveRope::bias(ContactRows& out, const Kinematics& k, const Strand& a,
                       const Strand& b) const {
   const Frame& S = k.frame(sheave_);
-  // A strand of length l turns if its end moves across it with v_n: ṫ·v = v_n²/l.
-  const auto end = [&](const Frame& f, const Strand& s) {
-    const double across = s.n.dot(f.velocity(s.rho_I) - S.v_S_I);
-    return s.t.dot(ropePointBias(f, s.rho_I) - S.bias_S_I) + across * across / s.length;
-  };
-  const double ofA = end(k.frame(frames_.A), a), ofB = end(k.frame(frames_.B), b);
+  const double ofA = biasOf(k.frame(frames_.A), S, a), ofB = biasOf(k.frame(frames_.B), S, b);
   out.bias(0) = -ofA - ofB;
-  if (out.dim() > 1)
-    out.bias(1) = 0.5 * (ofB - ofA) - sense_ * radius_ * (S.A_IK * axis_S_).dot(S.bias_R_I);
+  if (out.dim() > 1) out.bias(1) = 0.5 * (ofB - ofA);
 }
 
 double SheaveRope::force(const SignalView& v, double sign) {
-  const int i = v.contacts->find(v.element, 0);
+  int i = v.contacts->find(v.element, 0);
+  if (i < 0) i = v.contacts->find(v.element, kStraight);
   if (i < 0 || !(v.dt > 0.0) || v.Lambda.size() == 0) return 0.0;
   const int first = v.contacts->row0[static_cast<std::size_t>(i)];
   const double traction = v.contacts->dim(i) > 1 ? v.Lambda[first + 1] : 0.0;

@@ -36,6 +36,33 @@ TEST(SheaveRope, HasRowsThatFitItsGapAndVelocities) {
   EXPECT_TRUE(fits) << fits.message();
 }
 
+TEST(SheaveRope, HasRowsThatFitWhereItsEndsLieBesideIt) {
+  const auto s = scene(
+      R"(<RigidBody name="a" position="0.7 0.5 1" mass="2" inertia="0.1 0.2 0.3"/>
+         <RigidBody name="b" position="-0.9 -0.3 0.4" mass="1" inertia="0.2 0.1 0.3" euler="0.4 0.1 0"/>
+         <RigidBody name="wheel" position="0.1 0 2" mass="1" inertia="0.2 0.3 0.1"/>)",
+      R"(<SheaveRope between="a b" pointA="0.1 0.2 0.1" sheave="wheel" radius="0.2" axis="0.1 1 0"
+           length="9"><BeltFriction mu="0.2" wrap="180deg"/></SheaveRope>
+         <SheaveRope between="b world" pointB="2 0.7 0" sheave="wheel" radius="0.1" axis="0 1 0.2"/>)");
+  const Verdict fits = checkContacts(s->model());
+  EXPECT_TRUE(fits) << fits.message();
+}
+
+TEST(SheaveRope, RunsStraightWhereItHasLeftTheSheave) {
+  // Both ends have been lifted above the sheave: no arc is left, and the distance of the ends, 1 m of a
+  // rope of 1.2 m, is all that counts.
+  const auto s = scene(
+      R"(<RigidBody name="a" position="0.5 0 0.5" mass="2" inertia="0.1 0.2 0.3"/>
+         <RigidBody name="b" position="-0.5 0 0.5" mass="1" inertia="0.2 0.1 0.3"/>
+         <RigidBody name="wheel" position="0 0 1" mass="1" inertia="0.2 0.3 0.1"/>)",
+      R"(<SheaveRope name="rope" between="a b" sheave="wheel" radius="0.2" axis="0 1 0" length="1.2"/>)");
+  State x = s->state();
+  x.q[2] = x.q[9] = 1.3;  // 0.1 m above the top of the sheave
+  const Evaluation& e = s->system().evaluate(x);
+  ASSERT_EQ(e.contacts.g.size(), 1U);
+  EXPECT_NEAR(e.contacts.g[0], 0.2, 1e-12);
+}
+
 TEST(SheaveRope, LaysTheRopeOverTheWantedSide) {
   // Both ends hang at ±r below the centre: l = 2·1 + π r over the top, no more at the start.
   const auto s = scene(
