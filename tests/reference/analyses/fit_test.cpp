@@ -160,6 +160,37 @@ TEST_F(Fits, GiveTheCovarianceOfALinearProblem) {
   }
 }
 
+TEST_F(Fits, GiveIntervalsBesideParametersThatCannotBeToldApart) {
+  // y = y0 + b c t: of b and c only the product is seen, which varies with y0 all the same. The
+  // interval of y0 is that of a line whose slope is free.
+  const std::string line =
+      R"x(<parameter name="a" value="0"/><parameter name="b" value="1"/><parameter name="c" value="2"/>
+      <systems><Coordinates name="p" q="y" q0="{a}" u0="{b*c}" M="1" h="0"/></systems>
+      <simulation until="1" tolerance="1e-8"/>)x";
+  FitRequest request;
+  request.parameters = {wanted("a", 0.0), wanted("b", 1.0), wanted("c", 2.0)};
+  MeasuredRun& run = request.runs.emplace_back();
+  run.make = maker(line);
+  const double sigma = 0.1;
+  Eigen::MatrixX2d A(11, 2);
+  Eigen::VectorXd y(11);
+  for (int i = 0; i <= 10; ++i) {
+    A.row(i) << 1.0, 0.1 * i;
+    y[i] = 0.3 + 2.5 * (0.1 * i) + noise(sigma);
+    run.data.push_back({"p.y", 0.1 * i, y[i], sigma});
+  }
+  const Fit f = fit(request);
+  const Eigen::Matrix2d C = sigma * sigma * (A.transpose() * A).inverse();
+  const Eigen::Vector2d best = (A.transpose() * A).ldlt().solve(A.transpose() * y);
+  const FittedParameter& p = parameterOf(f, "a");
+  EXPECT_TRUE(p.identifiable);
+  EXPECT_FALSE(parameterOf(f, "b").identifiable);
+  // χ² is not quadratic in b and c: ends that are searched are good to 1 % of the rise, half of it.
+  const double half = 1.959964 * std::sqrt(C(0, 0));
+  EXPECT_NEAR(p.low, best[0] - half, 0.01 * half);
+  EXPECT_NEAR(p.high, best[0] + half, 0.01 * half);
+}
+
 TEST_F(Fits, NameAMassThatNothingDependsOn) {
   FitRequest request;
   request.parameters = {wanted("e", 0.6), wanted("mu", 0.1), wanted("m", 1.0)};

@@ -78,7 +78,7 @@ Information informationAt(FitProblem& problem, const Eigen::VectorXd& x) {
   Information out;
   out.J = problem.jacobian(x);
   const bool across = anyAcross(problem);
-  out.identifiable = seenUnknowns(problem, x, out.J);
+  out.identifiable = out.seen = seenUnknowns(problem, x, out.J);
   std::vector<int> columns;
   for (int i = 0; i < n; ++i)
     if (out.identifiable[static_cast<std::size_t>(i)])
@@ -86,7 +86,7 @@ Information informationAt(FitProblem& problem, const Eigen::VectorXd& x) {
     else
       out.open.push_back(unknownName(problem, i) +
                          " itself is not identifiable: nothing that is measured depends on it");
-  out.covariance = Eigen::MatrixXd::Zero(n, n);
+  out.covariance = out.inverse = Eigen::MatrixXd::Zero(n, n);
   const auto m = static_cast<Eigen::Index>(columns.size());
   if (m == 0) return out;
   const Eigen::MatrixXd J = out.J(Eigen::all, columns);
@@ -113,6 +113,7 @@ Information informationAt(FitProblem& problem, const Eigen::VectorXd& x) {
     direction(columns) = v;
     out.open.push_back(togetherText(problem, x, direction));
   }
+  out.inverse(columns, columns) = C;
   for (Eigen::Index i = 0; i < m; ++i)
     if (std::sqrt(open[i]) > kPart) {
       out.identifiable[static_cast<std::size_t>(columns[static_cast<std::size_t>(i)])] = 0;

@@ -11,9 +11,10 @@
 namespace dynamy {
 
 struct Information {
-  Eigen::MatrixXd J, covariance;   ///< zero: of unknowns that are not identifiable
-  std::vector<char> identifiable;  ///< by unknown
-  std::vector<std::string> open;   ///< what is not determined, a sentence each
+  Eigen::MatrixXd J, covariance;         ///< zero: of unknowns that are not identifiable
+  Eigen::MatrixXd inverse;               ///< of JᵀJ, generalised: without its null space
+  std::vector<char> seen, identifiable;  ///< by unknown
+  std::vector<std::string> open;         ///< what is not determined, a sentence each
   int rank = 0;
 };
 

@@ -45,9 +45,10 @@ void Intervals::lookAtOrder() {
     otherOrder_[k] = otherOrder_[k] || !problem_.runs()[k].sameOrder();
 }
 
-/// The others move with this unknown as the covariance says.
+/// The others move with this unknown as the covariance says, also those that cannot be told apart:
+/// what they do together can.
 Eigen::VectorXd Intervals::moved(int unknown, double by) const {
-  const Eigen::MatrixXd& C = information_.covariance;
+  const Eigen::MatrixXd& C = information_.inverse;
   return x_ + by / C(unknown, unknown) * C.col(unknown);
 }
 
@@ -61,7 +62,7 @@ double Intervals::rise(const Eigen::VectorXd& x, int unknown) {
   try {
     const Eigen::VectorXd r = problem_.residuals(x);
     lookAtOrder();
-    const Eigen::MatrixXd& C = information_.covariance;
+    const Eigen::MatrixXd& C = information_.inverse;
     Eigen::VectorXd g = information_.J.transpose() * r;
     g[unknown] = 0.0;
     const Eigen::VectorXd Cg = C * g;
@@ -87,7 +88,7 @@ double Intervals::profile(int unknown, Eigen::VectorXd& x) {
   search_.fixed.assign(static_cast<std::size_t>(x.size()), 0);
   bool alone = true;
   for (std::size_t i = 0; i < search_.fixed.size(); ++i) {
-    search_.fixed[i] = !information_.identifiable[i] || static_cast<int>(i) == unknown ? 1 : 0;
+    search_.fixed[i] = !information_.seen[i] || static_cast<int>(i) == unknown ? 1 : 0;
     alone = alone && search_.fixed[i];
   }
   try {
