@@ -11,10 +11,12 @@
 #include <dynamy/simulation/model/initial_values.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/run/checkpoints.hpp>
 #include <dynamy/simulation/run/sample_instants.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
 
 #include <cmath>
+#include <memory>
 
 #include "library.hpp"
 #include "signals.hpp"
@@ -30,23 +32,46 @@ void requireNumber(const std::string& input, double value) {
     throw py::value_error("the input \"" + input + "\" gets a number, not " + numberText(value));
 }
 
-/// The end of a step of a run, as a Python function sees it while it is called.
+/// The end of a step of a run, as a Python function sees it while it is called. It may be kept, but
+/// then it tells nothing more.
 class Moment {
  public:
   Moment(const StepView& view, Simulation& simulation, NamedSignals& signals)
-      : view_(view), simulation_(simulation), signals_(signals) {}
-  const State& state() const { return view_.after; }
-  double signal(const std::string& name) { return signals_.value(view_, name); }
+      : view_(&view), simulation_(simulation), signals_(signals) {}
+  void pass() { view_ = nullptr; }
+  const State& state() const { return view().after; }
+  double signal(const std::string& name) { return signals_.value(view(), name); }
   void input(const std::string& name, double value) {
+    view();
     requireNumber(name, value);
     simulation_.input(signals_.input(name), value);
   }
 
  private:
-  const StepView& view_;
+  const StepView& view() const {
+    if (view_ == nullptr)
+      throw std::runtime_error(
+          "this moment is over: keep values of it, such as now.t, and not `now` itself");
+    return *view_;
+  }
+  const StepView* view_;
   Simulation& simulation_;
   NamedSignals& signals_;
 };
+
+/// A copy of numbers that nobody changes in the belief that it changed the motion.
+py::array_t<double> readOnly(const Eigen::VectorXd& x) {
+  py::array_t<double> out(x.size(), x.data());
+  out.attr("setflags")(py::arg("write") = false);
+  return out;
+}
+
+/// True: False of Python or of numpy.
+bool isFalse(const py::object& answer) {
+  if (answer.is_none()) return false;
+  const auto type = std::string(py::str(py::type::of(answer).attr("__name__")));
+  return (type == "bool" || type == "bool_") && PyObject_IsTrue(answer.ptr()) == 0;
+}
 
 /// Calls a Python function after each step or, with `every` [s], at the start and at multiples of
 /// it. The function ends the run by returning False.
@@ -72,9 +97,9 @@ class Callback final : public Observer {
         if (SampleInstants::isWithin(view.after.t, next_)) return;
         next_ = every_ * (std::floor(view.after.t / every_ * (1.0 + 1e-12)) + 1.0);
       }
-      Moment moment(view, simulation_, signals_);
-      const py::object answer = call_(py::cast(&moment, py::return_value_policy::reference));
-      if (py::isinstance<py::bool_>(answer) && !answer.cast<bool>()) stop_ = true;
+      const auto moment = std::make_shared<Moment>(view, simulation_, signals_);
+      const Passes passes{*moment};
+      if (isFalse(call_(py::cast(moment)))) stop_ = true;
     } catch (const py::error_already_set&) {
       fault_ = std::current_exception(), stop_ = true;
     } catch (const std::exception&) {  // of names and values
@@ -87,6 +112,10 @@ class Callback final : public Observer {
   }
 
  private:
+  struct Passes {
+    Moment& moment;
+    ~Passes() { moment.pass(); }
+  };
   py::object call_;
   double every_, next_ = 0.0;  // [s]
   Simulation& simulation_;
@@ -151,9 +180,9 @@ py::dict runInto(Model& model, const py::object& each, double every, const std::
   writeWholeFile(folder.model(), model.file.text);
   simulation.run();
   recording.flush();
+  writeFolderFacts(folder, model, simulation);  // also of a run that the callback ends
   callback.raise();
   if (!recording.fault().empty()) throw std::runtime_error(std::string(recording.fault()));
-  writeFolderFacts(folder, model, simulation);
   if (!replay) return figures(simulation);
   writeReplay(folder.path());
   if (model.record.packed) packSignals(folder, recordedSignals(model), model.title);
@@ -163,6 +192,7 @@ py::dict runInto(Model& model, const py::object& each, double every, const std::
 /// Takes single steps of the model's scheme; state and inputs may be changed between the steps.
 class Steps {
  public:
+  static constexpr const char* kSaved = "steps of Python 1";
   explicit Steps(Model& model)
       : model_(model),
         system_(model.mechanicalSystem()),
@@ -175,6 +205,7 @@ class Steps {
   }
 
   py::dict step(double dt) {
+    if (!(dt >= 0.0)) throw py::value_error("a step has a length above 0, not " + numberText(dt));
     if (!(dt > 0.0)) dt = model_.simulation.step;
     if (!(dt > 0.0) && model_.scheme().choosesSteps()) dt = model_.simulation.until - state().t;
     if (!(dt > 0.0))
@@ -223,6 +254,33 @@ class Steps {
     return meter.kinetic(state()) + meter.potential(state());
   }
   State& state() { return attempt_.change(); }
+  /// Goes back to the state of the model at the start, with its inputs.
+  void reset() {
+    state() = model_.initialState();
+    attempt_.start();
+    left_ = state(), steps_ = 0;
+  }
+  /// All that the next step begins with.
+  py::bytes save() {
+    Archive a;
+    a.section(kSaved);
+    a(attempt_), a(steps_);
+    return {a.bytes()};
+  }
+  void restore(const py::bytes& saved) {
+    const State before = state();
+    try {
+      Archive a{std::string(saved)};
+      a.section(kSaved);
+      a(attempt_), a(steps_);
+      refuseForeign(model_, a, state());
+    } catch (...) {
+      state() = before;
+      throw;
+    }
+    attempt_.resumed();
+    left_ = state();
+  }
   double signal(const std::string& name) {
     return signals_.value(attempt_.view(steps_, steps_ > 0), name);
   }
@@ -238,8 +296,21 @@ class Steps {
   }
 
  private:
+  /// In the past nothing has been sampled yet that was not sampled at the start. Inputs stay.
+  void goBack(State& x) {
+    const std::vector<double>& start = model_.topology().memories().start();
+    const Eigen::VectorXd memory = x.memory;
+    x.memory = Eigen::Map<const Eigen::VectorXd>(start.data(), x.memory.size());
+    for (const auto& f : model_.forces())
+      if (const MemoryHandle own = model_.topology().memories().of(*f); f->type() == "Input")
+        x.memory.segment(own.first, own.size) = memory.segment(own.first, own.size);
+    system_.evaluate(x);
+    system_.remember(x);
+  }
   void take(double end, double dt) {
     State& x = state();
+    if (!std::isfinite(x.t)) throw py::value_error("the time t is not a number");
+    if (x.t < left_.t) goBack(x);
     // What a scheme carries from step to step belongs to the motion that it left.
     if (x.t != left_.t || x.q != left_.q || x.u != left_.u) x.scheme.resize(0);
     if (const double at = samples_.after(x.t); SampleInstants::isWithin(at, end))
@@ -269,10 +340,11 @@ void bindRun(py::module_& m) {
         py::arg("replay"), "Runs a model into a folder; dynamy.run reads it. Returns the figures.");
   m.def(
       "_write_replay", [](const std::string& folder) { writeReplay(folder); }, py::arg("folder"));
-  py::class_<Moment>(m, "Moment", "The end of a step, while each(now) is called.")
+  py::class_<Moment, std::shared_ptr<Moment>>(m, "Moment",
+                                              "The end of a step, while each(now) is called.")
       .def_property_readonly("t", [](const Moment& x) { return x.state().t; })
-      .def_property_readonly("q", [](const Moment& x) { return Eigen::VectorXd(x.state().q); })
-      .def_property_readonly("u", [](const Moment& x) { return Eigen::VectorXd(x.state().u); })
+      .def_property_readonly("q", [](const Moment& x) { return readOnly(x.state().q); })
+      .def_property_readonly("u", [](const Moment& x) { return readOnly(x.state().u); })
       .def_property_readonly(
           "state", [](const Moment& x) { return State(x.state()); }, "A copy.")
       .def("__getitem__", &Moment::signal, py::arg("signal"), "Value of a signal.")
@@ -296,6 +368,10 @@ void bindRun(py::module_& m) {
       .def("advance", &Steps::advance, py::arg("dt"),
            "Takes the steps that end exactly dt [s] later, with every scheme, also beyond the\n"
            "model's `until`.")
+      .def("reset", &Steps::reset, "Goes back to the start of the model, with its inputs.")
+      .def("save", &Steps::save, "All that the next step begins with, as bytes for restore().")
+      .def("restore", &Steps::restore, py::arg("saved"),
+           "Goes on from what save() of a simulation of the same model returned.")
       .def("__getitem__", &Steps::signal, py::arg("signal"), "Value of a signal now.")
       .def("__setitem__", &Steps::set, py::arg("name"), py::arg("value"),
            "Sets an <Input> from now on, or a coordinate or velocity by its name: \"cart.vx\". A\n"

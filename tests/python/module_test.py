@@ -415,6 +415,56 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "mine"):
             dynamy.run(dynamy.load(str(SOURCE / "models" / "bouncing_ball.xml")), each=each)
 
+    def test_a_moment_that_is_kept_says_that_it_is_over(self):
+        kept = []
+        dynamy.run(dynamy.load(str(SOURCE / "models" / "bouncing_ball.xml")), each=kept.append,
+                   every=0.5)
+        with self.assertRaisesRegex(RuntimeError, "this moment is over"):
+            kept[0].t
+        with self.assertRaisesRegex(RuntimeError, "this moment is over"):
+            kept[0]["ball.z"]
+
+    def test_false_of_numpy_ends_a_run_and_its_numbers_are_read_only(self):
+        def each(now):
+            with self.assertRaises(ValueError):
+                now.u[:] = 0.0
+            return np.bool_(now.t < 0.3)
+
+        figures = dynamy.run(dynamy.model(SLIDE.replace("LAW", "<UnilateralCoulomb mu='0.1'/>")
+                                          .replace('until="0.2"', 'until="1"')), each=each)[1]
+        self.assertEqual(figures["state"], "stopped")
+
+    def test_simulations_go_back(self):
+        def made():
+            return dynamy.Simulation(dynamy.model("""<dynamy version="1">
+              <systems><PointMass name="cart" mass="2"/></systems>
+              <forces><Sample name="s" of="cart.x" period="10ms"/><Input name="push" value="1"/>
+              <ForceInput on="cart" force="push.out; 0; 0"/></forces>
+              <simulation until="3" step="1e-3"/></dynamy>"""))
+
+        simulation = made()
+        simulation["push"] = 2.0
+        simulation.advance(0.5)
+        saved = simulation.save()
+        simulation.advance(0.5)
+        expected = simulation["cart.x"], simulation["s.out"]
+        simulation.restore(saved)
+        self.assertAlmostEqual(simulation.t, 0.5)
+        simulation.advance(0.5)
+        self.assertEqual((simulation["cart.x"], simulation["s.out"]), expected)
+        with self.assertRaisesRegex(dynamy.ModelError, "another model|checkpoint"):
+            simulation.restore(saved[:-8])
+        # A time in the past: blocks sample anew, inputs stay.
+        simulation.state.t = 0.0
+        simulation["cart.x"], simulation["cart.vx"] = 5.0, 0.0
+        simulation.advance(0.2)
+        self.assertAlmostEqual(simulation["cart.x"], 5.0 + 0.5 * 0.2**2, 3)
+        self.assertAlmostEqual(simulation["s.out"], simulation["cart.x"], 3)
+        simulation.reset()
+        self.assertEqual((simulation.t, simulation["cart.x"], simulation["s.out"]), (0.0, 0.0, 0.0))
+        with self.assertRaisesRegex(ValueError, "length above 0"):
+            simulation.step(-1.0)
+
     def test_a_broken_law_ends_the_run_and_says_why(self):
         class Broken:
             def prox(self, z, r, dt):
