@@ -3,6 +3,9 @@
 #include <cmath>
 #include <dynamy/core/constants.hpp>
 #include <dynamy/core/css_colour.hpp>
+#include <limits>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace dynamy::app {
@@ -28,10 +31,11 @@ struct Profile {
 /// Adds shapes to a mesh.
 class Mesher {
  public:
-  Mesher(SceneMesh& mesh, int sides, double reach) : mesh_(mesh), sides_(sides), reach_(reach) {}
+  Mesher(SceneMesh& mesh, long frames, int sides, double reach)
+      : mesh_(mesh), frames_(frames), sides_(sides), reach_(reach) {}
 
   void add(const JsonValue& shape, std::int32_t index) {
-    const int frame = static_cast<int>(shape["frame"].value);
+    const int frame = frameOf(shape["frame"]);
     part_ = {index, frame, colourOf(shape["colour"].text, frame)};
     position_ = vectorOf(shape["position"]);
     const auto& w = shape["orientation"].items;
@@ -45,6 +49,13 @@ class Mesher {
   }
 
  private:
+  static constexpr long kMost = std::numeric_limits<std::int32_t>::max();
+  /// A frame of the scene, or -1 where a shape stands still.
+  int frameOf(const JsonValue& number) const {
+    const std::optional<long> frame = number.whole(-1, frames_ - 1);
+    if (!frame) throw std::runtime_error("frames.bin: a shape moves with a frame that it has not");
+    return static_cast<int>(*frame);
+  }
   static std::array<std::uint8_t, 3> colourOf(const std::string& text, int frame) {
     if (const std::optional<Rgb> given = cssColour(text)) return *given;
     return kColours[static_cast<std::size_t>(frame + 1) % kColours.size()];
@@ -74,12 +85,13 @@ class Mesher {
     if (kind == "link" && all.size() == 2) {
       // Both ends are given in the axes of their frames.
       mesh_.points.back() = vectorOf(shape["points"].items[1]);
-      mesh_.frame.back() = static_cast<int>(shape["frameEnd"].value);
+      mesh_.frame.back() = frameOf(shape["frameEnd"]);
       line(all);
     }
     for (const JsonValue& t : shape["triangles"].items) {
       SceneMesh::Cell cell;
-      for (const JsonValue& i : t.items) cell.push_back(all.at(static_cast<std::size_t>(i.value)));
+      for (const JsonValue& i : t.items)
+        cell.push_back(all.at(static_cast<std::size_t>(i.whole(0, kMost).value_or(kMost))));
       polygon(std::move(cell));
     }
   }
@@ -164,6 +176,7 @@ class Mesher {
   }
 
   SceneMesh& mesh_;
+  long frames_;
   int sides_;
   double reach_;
   SceneMesh::Part part_;
@@ -173,9 +186,9 @@ class Mesher {
 
 }  // namespace
 
-SceneMesh sceneMesh(const JsonValue& scene, int sides, double reach) {
+SceneMesh sceneMesh(const JsonValue& scene, std::size_t frames, int sides, double reach) {
   SceneMesh out;
-  Mesher mesher(out, sides, reach);
+  Mesher mesher(out, static_cast<long>(frames), sides, reach);
   std::int32_t index = 0;
   for (const JsonValue& shape : scene["shapes"].items) mesher.add(shape, index++);
   return out;

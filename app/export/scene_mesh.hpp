@@ -24,8 +24,8 @@ struct SceneMesh {
 };
 
 /// The mesh of a scene, the JSON of frames.bin. Round shapes have `sides` sides; a half-space is a square whose
-/// sides are 2 `reach` [m].
-SceneMesh sceneMesh(const JsonValue& scene, int sides, double reach);
+/// sides are 2 `reach` [m]. Throws std::runtime_error where a shape moves with a frame beyond `frames`.
+SceneMesh sceneMesh(const JsonValue& scene, std::size_t frames, int sides, double reach);
 
 /// Points of the mesh in frame f of the film [m].
 std::vector<Eigen::Vector3d> placed(const SceneMesh& mesh, const Frames& frames, std::size_t f);

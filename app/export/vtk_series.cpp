@@ -129,8 +129,8 @@ double reachOf(const Frames& frames) {
 VtkResult writeVtkSeries(const VtkTask& task) {
   const RunFolder run = RunFolder::existing(task.run);
   const Frames frames = readFrames(run.frames());
-  const SceneMesh mesh =
-      sceneMesh(readJson(frames.scene, run.frames().string()), task.sides, reachOf(frames));
+  const SceneMesh mesh = sceneMesh(readJson(frames.scene, run.frames().string()), frames.poses,
+                                   task.sides, reachOf(frames));
   VtkResult out{task.out.empty() ? run.path() / "vtk" : fs::path(task.out), frames.t.size()};
   fs::create_directories(out.folder);
   for (const char* what : {"bodies", "contacts"}) {

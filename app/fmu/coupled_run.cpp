@@ -139,14 +139,23 @@ void CoupledRun::archive(Archive& a) {
   std::vector<SetInput> inputs = inputs_;
   double t = t_, until = model_.simulation.until;
   bool event = event_;
-  archiveInputs(a, startInputs_);
+  std::vector<SetInput> startInputs = startInputs_;
+  archiveInputs(a, startInputs);
   archiveInputs(a, inputs);
   a(checkpoint), a(t), a(until), a(event);
   std::vector<double> statuses = statusesNow_;
   a(statuses);
   if (!a.reading()) return;
+  const auto known = [&](const SetInput& i) {
+    return i.at.first >= 0 &&
+           i.at.first < static_cast<int>(model_.topology().memories().start().size());
+  };
+  if (statuses.size() != statusesNow_.size() ||
+      !std::all_of(startInputs.begin(), startInputs.end(), known) ||
+      !std::all_of(inputs.begin(), inputs.end(), known))
+    throw ModelError("the state is of another FMU");
   model_.simulation.until = until;
-  inputs_.clear();
+  startInputs_ = std::move(startInputs), inputs_.clear();
   begin(checkpoint);
   if (!checkpoint.empty()) take();
   for (const SetInput& i : inputs) input(i);

@@ -62,10 +62,12 @@ void FmuInstance::connect(std::vector<const NamedSignal*>& signals, std::vector<
       place_[i] = static_cast<int>(signals.size());
       signals.push_back(model_->signal(v.source));
     } else if (v.role == Role::input) {
-      for (const auto& f : model_->forces())
-        if (f->type() == "Input" && f->name() == v.source)
-          inputs.push_back({model_->topology().memories().of(*f), input_[i]});
-      if (!inputs.empty()) place_[i] = inputs.back().at.first;
+      place_[i] = -1;
+      for (const auto& f : model_->forces()) {
+        if (f->type() != "Input" || f->name() != v.source) continue;
+        inputs.push_back({model_->topology().memories().of(*f), input_[i]});
+        place_[i] = inputs.back().at.first;
+      }
     }
     const bool missing =
         v.role == Role::input ? place_[i] < 0 : place_[i] >= 0 && signals.back() == nullptr;
@@ -234,17 +236,20 @@ void FmuInstance::state(const std::string& bytes) {
   if (token != contents_.token) throw FmuError("the state is of another FMU");
   Overrides set;
   Experiment experiment;
-  std::vector<double> held;
+  std::vector<double> input, held;
   bool before = false, runs = false;
-  a(mode_);
+  auto mode = mode_;
+  a(mode);
   std::uint64_t n = 0;
   a(n);
   for (std::uint64_t i = 0; i < n; ++i) {
     set.emplace_back();
     a(set.back().first), a(set.back().second);
   }
-  a(experiment.tolerance), a(experiment.stop), a(input_), a(held), a(before), a(runs);
-  if (input_.size() != contents_.variables.size()) throw FmuError("the state is of another FMU");
+  a(experiment.tolerance), a(experiment.stop), a(input), a(held), a(before), a(runs);
+  if (mode > Mode::terminated || input.size() != contents_.variables.size())
+    throw FmuError("the state is of another FMU");
+  mode_ = mode, input_ = std::move(input);
   // Parameters and accuracy belong to the model.
   if (set != set_ || experiment.tolerance != experiment_.tolerance || !runs)
     run_.reset(), model_.reset();
@@ -252,6 +257,7 @@ void FmuInstance::state(const std::string& bytes) {
   if (!runs) return;
   run().archive(a);
   if (!run_->fault().empty()) throw FmuError(run_->fault());
+  if (held.size() != values_.size()) throw FmuError("the state is of another FMU");
   before_ = before, held_ = std::move(held), fresh_ = false;
 }
 

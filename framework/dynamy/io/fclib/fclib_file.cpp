@@ -3,7 +3,7 @@
 #include <cmath>
 #include <dynamy/core/error.hpp>
 #include <dynamy/io/fclib/fclib_file.hpp>
-#include <dynamy/io/fclib/hdf5_file.hpp>
+#include <dynamy/io/hdf5/hdf5_file.hpp>
 #include <dynamy/law/rolling_friction.hpp>
 #include <dynamy/law/standard_laws.hpp>
 

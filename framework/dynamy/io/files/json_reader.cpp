@@ -146,6 +146,11 @@ const JsonValue& JsonValue::operator[](std::string_view name) const {
   return found == names.end() ? kNull : items[static_cast<std::size_t>(found - names.begin())];
 }
 
+std::optional<long> JsonValue::whole(long least, long most) const {
+  if (!(value >= static_cast<double>(least)) || !(value <= static_cast<double>(most))) return {};
+  return static_cast<long>(value);
+}
+
 JsonValue readJson(std::string_view text, const std::string& file) {
   return Reader(text, file).whole();
 }

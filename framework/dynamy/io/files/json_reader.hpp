@@ -5,6 +5,7 @@
 /// the order of their members; duplicate names and numbers beyond double are not detected.
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ class JsonValue {
   /// Member of an object; a null value if there is none.
   const JsonValue& operator[](std::string_view name) const;
   explicit operator bool() const { return type != Type::null; }
+  /// The number, cut to a whole one, if it lies in [least, most]; nothing if not, or if it is none.
+  /// |most| ≤ 2⁵³.
+  std::optional<long> whole(long least, long most) const;
 };
 
 /// The value in `text`. \throws FileError "file:line:column: what was expected"

@@ -73,6 +73,7 @@ class ColladaReader {
   }
   void nodesIn(const XmlNode& parent, const Turn& turn, int depth) {
     if (depth > kDeepest) throw std::runtime_error("its nodes contain each other");
+    if (++nodes_ > kMostNodes) throw std::runtime_error("it has too many nodes");
     for (const XmlNode& c : parent.children) {
       if (c.tag == "node") nodesIn(c, turn * turnOf(c), depth + 1);
       if (c.tag == "instance_geometry") geometry(named(valueOf(c, "url")), turn);
@@ -163,7 +164,8 @@ class ColladaReader {
       }
     }
   }
-  static constexpr int kDeepest = 100;
+  static constexpr int kDeepest = 100, kMostNodes = 1'000'000;
+  int nodes_ = 0;  // that were visited: one that is named twice is visited twice
   std::map<std::string, const XmlNode*, std::less<>> byId_;
 };
 

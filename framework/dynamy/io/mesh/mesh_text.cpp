@@ -10,6 +10,8 @@ bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 }  // namespace
 
 int MeshBuilder::point(const Vec3& p) {
+  // Not only at the end: numbers that are none have no place among the points that are known.
+  if (!p.allFinite()) throw std::runtime_error("a corner is not finite");
   const auto [at, added] =
       known_.try_emplace(std::tuple(p.x(), p.y(), p.z()), static_cast<int>(mesh.points.size()));
   if (added) mesh.points.push_back(p);

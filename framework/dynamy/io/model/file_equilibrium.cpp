@@ -49,6 +49,7 @@ void writeEquilibrium(JsonWriter& j, const Equilibrium& e) {
   if (std::isfinite(e.margin)) j.member("margin", e.margin);
   if (e.growing >= 0) j.member("growing", e.growing);
   j.member("relaxations", e.relaxations).member("steps", e.steps);
+  j.key("sampled").values(e.sampled);
   j.key("state").beginObject();
   for (const auto& [signal, value] : e.state) j.member(signal, value);
   j.endObject().key("contacts").beginArray();

@@ -263,7 +263,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
     parts.emplace_back(p.type->kind, std::move(element));
     good.insert(p.item);
   }
-  SettingsReader settings(model, source, reader, faults, options.orbit);
+  SettingsReader settings(model, source, reader, faults, options.orbit, options.until);
   for (const ModelItem& item : source.settings()) settings.read(item);
 
   SimulationSettings& simulation = model.simulation;

@@ -28,6 +28,8 @@ struct LoadOptions {
   /// True: the model may be computed in fewer coordinates (SimulationSettings::reduce), where the file
   /// leaves them to the program. For runs alone: q and u change.
   bool reduce = false;
+  /// End time that the caller sets afterwards [s]: instants up to it are no faults. 0: none.
+  double until = 0.0;
   bool seek = true;  ///< false: `start="equilibrium"` of the model is not followed
   /// Receives the paths of the model, its included files, its plug-ins and the files that elements
   /// name (tables, meshes), including files that were not found, and even if the model is faulty. A program that waits for changes watches

@@ -208,7 +208,7 @@ void SettingsReader::readOrbit(const XmlNode& node, const Scope& scope, const Pa
 
 /// Reports a check at a time after the end of the run, because it could not pass.
 void SettingsReader::verifyTime(const CheckSettings& check, const Place& place) const {
-  const double until = model_->simulation.until;
+  const double until = longest();
   const double last = check.measure == CheckSettings::Measure::value ? check.at : check.to;
   if (!std::isfinite(last) || !(until > 0.0) || last <= until * (1.0 + kTimeRounding)) return;
   faults_->add({.place = place,
@@ -221,7 +221,7 @@ void SettingsReader::verifyTime(const CheckSettings& check, const Place& place) 
 /// Reports an instant of a row after the end of the run, which would not be written.
 void SettingsReader::verifyInstants() const {
   const std::vector<double>& at = model_->record.at;
-  const double until = model_->simulation.until;
+  const double until = longest();
   if (at.empty() || !(until > 0.0)) return;
   const double last = *std::max_element(at.begin(), at.end());
   if (last <= until * (1.0 + kTimeRounding)) return;

@@ -16,15 +16,17 @@ class SettingsReader {
   };
 
  public:
-  /// `orbit` receives the section of `<orbit>`; null: nobody wants it.
+  /// `orbit` receives the section of `<orbit>`; null: nobody wants it. `until`: end time that the caller
+  /// sets afterwards; 0: none.
   SettingsReader(Model& model, const ModelSource& source, ElementReader& elements, Faults& faults,
-                 OrbitSection* orbit)
+                 OrbitSection* orbit, double until)
       : model_(&model),
         source_(&source),
         elements_(&elements),
         faults_(&faults),
         attributes_(faults, nullptr),
-        orbit_(orbit) {}
+        orbit_(orbit),
+        until_(until) {}
 
   void read(const ModelItem& item);
   /// Call after build(): reports signals that no element has, and checks at times after the end.
@@ -37,6 +39,7 @@ class SettingsReader {
   void readOrbit(const XmlNode& node, const Scope& scope, const Parameters& x);
   void readCheck(const XmlNode& node, const Scope& scope, const Parameters& x);
   bool checkIsSound(const XmlNode& node, const Scope& scope, const Parameters& x) const;
+  double longest() const { return std::max(model_->simulation.until, until_); }
   void verifyTime(const CheckSettings& check, const Place& place) const;
   void verifyInstants() const;
   void verifyKept() const;
@@ -50,6 +53,7 @@ class SettingsReader {
   Faults* faults_;
   AttributeReader attributes_;
   OrbitSection* orbit_;
+  double until_;
   OrbitSignal orbitSignal_;
   std::map<std::string, Place> given_;  ///< attributes of all `<simulation>`
   std::map<Kind, Place> methods_;

@@ -19,6 +19,7 @@ namespace dynamy {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr long kMostBytes = 1L << 53;
 constexpr double kSameTime = 1e-9;  ///< tolerance of the last time, over the end time
 
 /// The statements of run.json about the other files.
@@ -46,10 +47,12 @@ Facts readFacts(const RunFolder& folder) {
       out.state == "finished" || (out.state.starts_with("stopped") && run["reason"].text.empty());
   out.t = run["t"].value;
   for (const JsonValue& s : run["signals"].items) out.signals.push_back(s["name"].text);
-  for (const JsonValue& f : run["files"].items)
-    out.files.push_back({f["name"].text,
-                         {static_cast<std::uint64_t>(std::max(0.0, f["bytes"].value)),
-                          hexadecimal(f["crc"].text)}});
+  for (const JsonValue& f : run["files"].items) {
+    const std::optional<long> bytes = f["bytes"].whole(0, kMostBytes);
+    if (!bytes) throw FileError("run.json", "does not say how long " + f["name"].text + " is");
+    out.files.push_back(
+        {f["name"].text, {static_cast<std::uint64_t>(*bytes), hexadecimal(f["crc"].text)}});
+  }
   return out;
 }
 

@@ -177,6 +177,10 @@ Frames framesIn(std::string_view text, const std::string& file) {
     if (!frames.complete) break;
     at += bytes;
   }
+  constexpr auto kLastState = static_cast<float>(ContactState::spin);
+  for (std::size_t c = 9; c < frames.contact.size(); c += Frames::kContactNumbers)
+    if (!(frames.contact[c] >= 0.0F && frames.contact[c] <= kLastState))
+      throw FileError(file, "a contact has a state that there is not");
   return frames;
 }
 

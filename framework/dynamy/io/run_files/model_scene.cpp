@@ -98,20 +98,20 @@ SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
   return s;
 }
 
-/// Index of the frame with handle `f` among the drawn frames; −1: it is not drawn.
-int drawnIndex(const Model& model, const std::vector<DrawnFrame>& drawn, int f) {
-  const auto [system, id] = model.topology().requestedFrames()[static_cast<std::size_t>(f)];
-  for (std::size_t k = 0; k < drawn.size(); ++k)
-    if (drawn[k].system == system && drawn[k].id == id) return static_cast<int>(k);
-  return -1;
-}
-
 void addLinks(const Model& model, const std::vector<DrawnFrame>& drawn, Scene& scene) {
+  std::map<std::pair<int, int>, int> index;
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    index.try_emplace({drawn[k].system, drawn[k].id}, static_cast<int>(k));
+  // Index of the frame with handle `f` among the drawn frames; −1: it is not drawn.
+  const auto drawnIndex = [&](int f) {
+    const auto at = index.find(model.topology().requestedFrames()[static_cast<std::size_t>(f)]);
+    return at == index.end() ? -1 : at->second;
+  };
   for (const Description& d : model.descriptions())
     for (const PlacedLink& l : d.links) {
       SceneShape s;
       s.kind = ShapeKind::link;
-      s.frame = drawnIndex(model, drawn, l.frameA), s.frameEnd = drawnIndex(model, drawn, l.frameB);
+      s.frame = drawnIndex(l.frameA), s.frameEnd = drawnIndex(l.frameB);
       s.points = {array(l.pointA), array(l.pointB)};
       if (l.spring) s.style = "spring";
       scene.shapes.push_back(std::move(s));

@@ -8,6 +8,8 @@
 namespace dynamy {
 namespace {
 
+/// Signals that vary by less than this part of the largest number of all are rounding.
+constexpr double kRounding = 1e-14;
 constexpr double kChaotic = 6.0;  ///< growth rate times duration, above which a run is chaotic
 
 /// Pairs of rows at equal instants; of several rows at one instant the last one is taken.
@@ -59,6 +61,10 @@ RunDifference runDifference(const SignalTable& a, const SignalTable& b, double n
   const std::size_t columns = std::min(a.columns.size(), b.columns.size());
   std::vector<double> t, d(rows.size(), 0.0);
   for (const auto& [i, j] : rows) t.push_back(a.t[i]);
+  double largest = 0.0;
+  for (std::size_t c = 0; c < columns; ++c)
+    for (const double x : a.columns[c])
+      if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
   for (std::size_t c = 0; c < columns; ++c) {
     SignalDifference s;
     s.name = a.signals[c].name;
@@ -74,7 +80,7 @@ RunDifference runDifference(const SignalTable& a, const SignalTable& b, double n
       s.end = a.columns[c][rows[k].first];
       s.difference = std::abs(s.end - b.columns[c][rows[k].second]);
       if (s.difference > s.largest) s.largest = s.difference, s.t = t[k];
-      if (!(range > 0.0) || !(s.difference > noise * range)) continue;
+      if (!(range > kRounding * largest) || !(s.difference > noise * range)) continue;
       if (s.difference < RunDifference::kLost * range || !shifted(k))
         d[k] = std::max(d[k], s.difference / range);
     }

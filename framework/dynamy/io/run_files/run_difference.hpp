@@ -29,7 +29,7 @@ struct RunDifference {
 };
 
 /// Compares both at their common instants. Differences below `noise` times the range of a signal
-/// count as zero.
+/// count as zero, and so do those of signals that are rounding: constant beside the largest of all.
 RunDifference runDifference(const SignalTable& a, const SignalTable& b, double noise = 1e-14);
 
 }  // namespace dynamy

@@ -66,8 +66,7 @@ void writeSettings(JsonWriter& json, const Model& model, const Given& set) {
   json.member("tolerance", model.simulation.tolerance);
   json.member("integrator", model.scheme().type()).member("solver", model.solver().type());
   json.member("impactLaw", model.impactLaw().type());
-  const double gTol = model.simulation.gTol;
-  json.member("gTol", gTol >= 0.0 ? gTol : 1e-12 * model.length());
+  json.member("gTol", gTolOf(model));
   json.member("every", model.record.every);
   const Composition& c = model.composed;
   json.key("coordinates").beginObject().member("joints", c.coordinates).member("of", c.joints);

@@ -3,8 +3,8 @@
 
 #include <dynamy/core/error.hpp>
 #include <dynamy/io/fclib/fclib_file.hpp>
-#include <dynamy/io/fclib/hdf5_file.hpp>
 #include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/hdf5/hdf5_file.hpp>
 #include <functional>
 
 #include "unit/io/files/scratch_folder.hpp"

@@ -169,6 +169,7 @@ TEST(MeshFile, SaysWhatIsWrong) {
       {"a.stl", "solid\nendsolid\n", "it has no triangles"},
       {"a.obj", "v 0 0 0\nf 1 2 3\n", "a face has the corner \"2\""},
       {"a.obj", "v 0 0 zero\n", "\"zero\" is no number"},
+      {"a.obj", "v 0 0 0\nv nan 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n", "a corner is not finite"},
       {"a.ply", "plough\n", "it does not begin with \"ply\""},
       {"a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n",
        "its head has no end"},

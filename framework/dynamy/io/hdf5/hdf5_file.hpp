@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// HDF5 files of named vectors of integers, numbers and texts, as the FCLIB layout needs them. No
-/// type of the HDF5 library appears in a header.
+/// HDF5 files of named vectors of integers, numbers and texts. No type of the HDF5 library appears
+/// here.
 ///
 /// Every failure is a ModelError with the file and the place inside of it:
 ///
@@ -30,11 +30,17 @@ class Hdf5File {
   /// `place`: path inside of the file, e.g. "/fclib_local/W/x".
   bool has(const std::string& place) const;
   std::vector<int> integers(const std::string& place) const;
-  Eigen::VectorXd numbers(const std::string& place) const;
+  /// `finite`: numbers that are not finite are refused.
+  Eigen::VectorXd numbers(const std::string& place, bool finite = true) const;
   /// The first number of a dataset.
   int integer(const std::string& place) const;
   /// A scalar text of fixed or variable length; "" if it is not there.
   std::string text(const std::string& place) const;
+  /// Texts of fixed length.
+  std::vector<std::string> texts(const std::string& place) const;
+  /// A text of fixed length that is an attribute of an object, "/" for the file; "" if it is not
+  /// there.
+  std::string attribute(const std::string& place, const std::string& name) const;
 
   // Missing groups of the path are created.
   void write(const std::string& place, const std::vector<int>& values);

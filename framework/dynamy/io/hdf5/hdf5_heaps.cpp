@@ -1,6 +1,6 @@
 #include <cstddef>
 #include <cstdint>
-#include <dynamy/io/fclib/hdf5_heaps.hpp>
+#include <dynamy/io/hdf5/hdf5_heaps.hpp>
 #include <optional>
 
 namespace dynamy {
