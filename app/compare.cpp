@@ -67,11 +67,18 @@ Point runOnce(Program& program, const CompareTask& task, const std::string& inte
 }
 
 void measure(Point& p, const Point& reference, const std::vector<std::string>& signals) {
+  // What stays constant, up to rounding, is compared with the largest number of all.
+  constexpr double kRounding = 1e-14;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < reference.ends.last.size(); ++i)
+    largest =
+        std::max({largest, std::abs(reference.ends.low[i]), std::abs(reference.ends.high[i])});
   p.error = p.report.ended == RunReport::Ended::finished ? 0.0 : std::nan("");
   for (std::size_t i = 0; i < p.ends.last.size() && !std::isnan(p.error); ++i) {
     const double range = reference.ends.high[i] - reference.ends.low[i];
     const double e = std::abs(p.ends.last[i] - reference.ends.last[i]);
-    const double relative = e == 0.0 ? 0.0 : range > 0.0 ? e / range : e;
+    const double scale = range > kRounding * largest ? range : largest;
+    const double relative = e == 0.0 ? 0.0 : scale > 0.0 ? e / scale : e;
     if (relative > p.error || i == 0) p.error = relative, p.worst = signals[i];
   }
 }

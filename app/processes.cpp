@@ -44,6 +44,8 @@ pid_t startProcess(const std::function<int()>& work) {
 void inProcesses(std::size_t count, int jobs, const std::atomic<bool>& stop,
                  const std::function<int(std::size_t)>& work,
                  const std::function<void(std::size_t, int)>& ended) {
+  // Where the caller ignores SIGCHLD, nobody would learn how a process ended.
+  std::signal(SIGCHLD, SIG_DFL);
   std::map<pid_t, std::size_t> running;
   for (std::size_t next = 0;;) {
     while (!stop && next < count && running.size() < static_cast<std::size_t>(jobs)) {
@@ -55,6 +57,8 @@ void inProcesses(std::size_t count, int jobs, const std::atomic<bool>& stop,
     if (running.empty()) return;
     int status = 0;
     const pid_t child = ::waitpid(-1, &status, 0);
+    if (child < 0 && errno != EINTR)
+      throw std::runtime_error(std::string("cannot wait for processes: ") + std::strerror(errno));
     const auto found = running.find(child);
     if (found == running.end()) continue;  // waitpid was interrupted by a signal
     const std::size_t number = found->second;

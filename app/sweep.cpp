@@ -93,7 +93,10 @@ void verifyCorners(Program& program, Sweep& s) {
       if (!fault) fault = std::current_exception();
     }
   }
-  if (s.columns.empty()) std::rethrow_exception(fault);
+  if (!s.columns.empty()) return;
+  if (fault) std::rethrow_exception(fault);
+  throw ModelError("the model has nothing that a sweep could tell",
+                   "give it a <check>, or a system whose signals can be recorded");
 }
 
 SweepFolder begin(Program& program, const SweepTexts& t) {

@@ -52,6 +52,14 @@ void writeComplex(JsonWriter& j, const Eigen::VectorXcd& z) {
 
 }  // namespace
 
+std::string sampledText(const std::vector<std::string>& elements) {
+  if (elements.empty()) return {};
+  return fmt::format(
+      " NOTE {} sample{} the motion: outputs are held at their values here, and loops that they "
+      "close are not seen\n",
+      fmt::join(elements, ", "), elements.size() == 1 ? "s" : "");
+}
+
 std::string eigenText(const Model& model, const Linearisation& l) {
   std::string out =
       fmt::format("{}: steady motion, u' = 0 up to {:.1e}\n", model.file.name, l.residual);
@@ -64,6 +72,7 @@ std::string eigenText(const Model& model, const Linearisation& l) {
     for (const double x : c.lambda) out += fmt::format(" {:.10g}", std::abs(x) < 1e-9 ? 0.0 : x);
     out += "\n";
   }
+  out += sampledText(l.sampled);
   out += fmt::format(" {} motions permitted of {}; derivatives to {:.0e}\n\n", l.basis.cols(),
                      l.basis.rows(), std::max(l.error, l.leak));
   out += fmt::format(" {:>17} {:>17}   {:<46} {}\n", "real part [1/s]", "imaginary [1/s]", "",
@@ -98,6 +107,7 @@ void writeEigen(JsonWriter& j, const Model& model, const Linearisation& l) {
   j.member("motions", l.basis.cols()).member("error", l.error).member("leak", l.leak);
   j.member("zeros", l.zeros).member("growing", l.growing());
   j.key("eigenvalues"), writeComplex(j, l.eigenvalues);
+  j.key("sampled").values(l.sampled);
   j.key("names").values(l.names);
   j.key("modes").beginArray();
   for (Eigen::Index k = 0; k < l.modes.cols(); ++k) writeComplex(j, l.modes.col(k));

@@ -22,6 +22,8 @@ struct Locus {
   std::vector<Eigen::VectorXcd> eigenvalues;
 };
 
+/// Note on elements that sample the motion; empty: there are none.
+std::string sampledText(const std::vector<std::string>& elements);
 std::string eigenText(const Model& model, const Linearisation& l);
 std::string criticalText(const std::vector<CriticalValue>& values);
 void writeEigen(JsonWriter& json, const Model& model, const Linearisation& l);

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "analysis/analysis_result.hpp"
+#include "analysis/eigen_text.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
 #include "sweep/sweep_plan.hpp"
@@ -49,6 +50,7 @@ std::string equilibriumText(const std::string& model, const Equilibrium& e) {
     out += fmt::format(" found {:.3g} from the start of the model\n", e.moved);
   else
     out += " at the start of the model\n";
+  out += sampledText(e.sampled);
   if (e.growing == 0) out += " stable: no small disturbance grows\n";
   if (e.growing > 0)
     out += fmt::format(" unstable: {} small disturbance{} grow{}\n", e.growing,

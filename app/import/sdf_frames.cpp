@@ -30,7 +30,7 @@ void SdfFrames::add(const XmlNode& node, const std::string& name, const std::str
 
 Pose SdfFrames::inModel(const XmlNode& node, const std::string& name, int depth) {
   constexpr int kDeepest = 64;
-  if (name.empty() || name == "__model__") return {};
+  if (name.empty() || name == "__model__" || name == "world") return {};
   const auto found = frames_.find(name);
   if (found == frames_.end()) {
     read_.fault(node, "there is no frame \"" + name + '"', didYouMean(nearest(name, names())));

@@ -21,8 +21,9 @@ struct SdfLink {
 /// One `<model>`.
 class SdfModel {
  public:
-  SdfModel(const XmlNode& node, ElementReader& read, SdfShapes& shapes)
-      : node_(node), read_(read), shapes_(shapes), frames_(read) {}
+  /// `placed`: where the model is.
+  SdfModel(const XmlNode& node, const Pose& placed, ElementReader& read, SdfShapes& shapes)
+      : node_(node), placed_(placed), read_(read), shapes_(shapes), frames_(read) {}
   /// Adds links and loops to the machine.
   void readInto(Machine& machine);
 
@@ -49,6 +50,7 @@ class SdfModel {
     std::string A, B;
   };
   const XmlNode& node_;
+  Pose placed_;
   ElementReader& read_;
   SdfShapes& shapes_;
   SdfFrames frames_;
@@ -268,7 +270,6 @@ void SdfModel::joint(const XmlNode& node) {
 void SdfModel::order(Machine& machine) {
   const XmlNode* fixed = childOf(node_, "static");
   const bool stands = fixed != nullptr && (fixed->text == "true" || fixed->text == "1");
-  const Pose model = sdfPose(node_, read_);
   for (std::size_t done = 0; done < links_.size();)
     for (SdfLink& l : links_) {
       const bool root = l.carrier.empty() || l.carrier == "world";
@@ -276,7 +277,8 @@ void SdfModel::order(Machine& machine) {
       if (l.index >= 0 || (carrier != nullptr && carrier->index < 0)) continue;
       l.index = static_cast<int>(machine.links.size()), ++done;
       l.link.parent = carrier != nullptr ? carrier->index : -1;
-      l.link.pose = carrier != nullptr ? carrier->inModel.inverse() * l.inModel : model * l.inModel;
+      l.link.pose =
+          carrier != nullptr ? carrier->inModel.inverse() * l.inModel : placed_ * l.inModel;
       l.link.free = l.carrier.empty() && !stands;
       if (stands) l.link.joints.clear();
       for (const XmlNode* f : childrenOf(node_, "frame"))
@@ -304,11 +306,10 @@ void SdfModel::readInto(Machine& machine) {
   links();
   for (const XmlNode* node : childrenOf(node_, "joint")) joint(*node);
   order(machine);
-  const Pose model = sdfPose(node_, read_);
   for (Loop& loop : loops_) {
     loop.joint.A = indexOf(loop.A), loop.joint.B = indexOf(loop.B);
     if (loop.joint.B < 0)
-      loop.joint.at = model.point(loop.joint.at), loop.joint.axis = model.A * loop.joint.axis;
+      loop.joint.at = placed_.point(loop.joint.at), loop.joint.axis = placed_.A * loop.joint.axis;
     machine.loops.push_back(loop.joint);
   }
 }
@@ -323,15 +324,30 @@ Machine readSdf(const XmlDocument& document, const ImportOptions& options) {
   machine.name = "machine";
   machine.parentContact = false;
   machine.staticContact = true;
-  std::vector<const XmlNode*> models = childrenOf(root, "model");
+  struct Placed {
+    const XmlNode* node;
+    Pose pose;
+  };
+  std::vector<Placed> models;
+  // Models stand in frames of their world, and in each other's.
+  const auto place = [&](const XmlNode& parent) {
+    SdfFrames frames(read);
+    for (const char* tag : {"model", "frame"})
+      for (const XmlNode* node : childrenOf(parent, tag))
+        frames.add(*node, valueOf(*node, "name", ""),
+                   tag == std::string("frame") ? valueOf(*node, "attached_to", "") : "");
+    for (const XmlNode* model : childrenOf(parent, "model"))
+      models.push_back({model, frames.inModel(*model, valueOf(*model, "name", ""))});
+  };
+  place(root);
   read.readOnly(root, {"version"}, {"model", "world"});
   for (const XmlNode* world : childrenOf(root, "world")) {
     machine.name = valueOf(*world, "name", machine.name);
     if (const XmlNode* g = childOf(*world, "gravity"))
       if (const auto v = read.numbersOf(*g, 3); !v.empty())
         machine.gravity = Vec3(v[0], v[1], v[2]);
-    for (const XmlNode* model : childrenOf(*world, "model")) models.push_back(model);
-    read.readOnly(*world, {"name"}, {"model", "gravity"},
+    place(*world);
+    read.readOnly(*world, {"name"}, {"model", "frame", "gravity"},
                   {{"include", "files in files are not taken over: expand them first"},
                    {"light", "is for pictures of another program"},
                    {"scene", "is for pictures of another program"},
@@ -339,8 +355,9 @@ Machine readSdf(const XmlDocument& document, const ImportOptions& options) {
                    {"plugin", "is for another program"}});
   }
   if (models.empty()) read.fault(root, "there is no <model>");
-  if (models.size() == 1) machine.name = valueOf(*models.front(), "name", machine.name);
-  for (const XmlNode* model : models) SdfModel(*model, read, shapes).readInto(machine);
+  if (models.size() == 1) machine.name = valueOf(*models.front().node, "name", machine.name);
+  for (const Placed& model : models)
+    SdfModel(*model.node, model.pose, read, shapes).readInto(machine);
   read.throwIfAny();
   return machine;
 }

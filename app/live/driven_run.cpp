@@ -77,7 +77,8 @@ DrivenRun::DrivenRun(Program& program, RunChoice choice, const std::filesystem::
 
 void DrivenRun::start(const RunShow& show) {
   simulation_->record(*recording_);
-  simulation_->threads(show.threads);
+  threads_ = show.threads;
+  simulation_->threads(threads_);
   simulation_->start();
   writeFirstFacts(folder_, *model_, first_, shown(show), simulation_->report());
   recording_->flush();
@@ -224,10 +225,11 @@ std::string DrivenRun::change(const std::string& parameter, double value) {
     auto recording = std::make_unique<RunRecording>(folder_, *model, RunRecording::Resume{});
     auto simulation = std::make_unique<Simulation>(*model);
     simulation->record(*recording);
+    simulation->threads(threads_);
     simulation->resume(present, energy);
     simulation_ = std::move(simulation), recording_ = std::move(recording);
     model_ = std::move(model), choice_ = std::move(choice);
-  } catch (const ModelError& e) {
+  } catch (const std::exception& e) {  // also of an element at its first evaluation, or of files
     return e.what();
   }
   return {};

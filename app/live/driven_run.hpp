@@ -64,6 +64,7 @@ class DrivenRun {
   RunFolder folder_;
   std::unique_ptr<RunRecording> recording_;
   std::unique_ptr<Simulation> simulation_;
+  int threads_ = 1;
   InputsFile inputs_;
   Grip grip_;
   long steps_ = 0;

@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* kInputsHead = "step,t,what,name,values\n";
 
+constexpr double kMostSteps = 1e15;  // more than a run can take
+
 struct ActionKind {
   Action::What what;
   const char* name;
@@ -54,7 +56,9 @@ std::optional<Action> actionIn(const std::vector<std::string>& fields) {
   auto values = numbersIn(fields[4]);
   for (const ActionKind& kind : kActionKinds) {
     if (fields[2] != kind.name) continue;
-    if (!step || !t || !values || values->size() != kind.values || !(*step >= 0.0)) return {};
+    if (!step || !t || !values || values->size() != kind.values ||
+        !(*step >= 0.0 && *step <= kMostSteps))
+      return {};
     return Action{static_cast<long>(*step), *t, kind.what, fields[3], std::move(*values)};
   }
   return {};

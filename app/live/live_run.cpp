@@ -142,8 +142,8 @@ std::string LiveLoop::carryOut(const LiveCommand& c) {
   if (c.what == "input" && numbers(1)) return act(Action::What::input);
   if (c.what == "grab" && numbers(8)) return grab(c);
   if (c.what == "move" && numbers(3)) return act(Action::What::move);
-  if (c.what == "release") return act(Action::What::release);
-  if (c.what == "end") return ended_ = true, act(Action::What::end);
+  if (c.what == "release" && numbers(0)) return act(Action::What::release);
+  if (c.what == "end" && numbers(0)) return ended_ = true, act(Action::What::end);
   return "there is no command \"" + c.what + "\" with " + std::to_string(c.values.size()) +
          " numbers";
 }

@@ -147,14 +147,6 @@ void LiveSession::publish(LiveState state) {
   changed_.notify_all();
 }
 
-void LiveSession::grown() {
-  {
-    const std::lock_guard lock(guard_);
-    ++number_;
-  }
-  changed_.notify_all();
-}
-
 bool LiveSession::isWatched(double seconds) const {
   const std::lock_guard lock(guard_);
   return std::chrono::duration<double>(Clock::now() - asked_).count() < seconds;

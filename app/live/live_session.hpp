@@ -49,8 +49,6 @@ class LiveSession {
   /// Waits for a command, at most this long; null: none came.
   std::unique_ptr<LiveCommand> next(std::chrono::duration<double> wait);
   void publish(LiveState state);
-  /// The recorded files have grown.
-  void grown();
   /// True: the page asked for something within the last `seconds`.
   bool isWatched(double seconds) const;
   /// True: the page has said that it got everything of a run that has ended.

@@ -148,7 +148,7 @@ void noteSources(const Program& program, const std::vector<fs::path>& files, Run
 Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* files, bool reduce) {
   LoadOptions options;
   std::vector<fs::path> read;
-  options.reduce = reduce;
+  options.reduce = reduce, options.until = choice.until;
   options.set = choice.set, options.files = files != nullptr ? files : &read;
   options.prepare = [&](Model& model) {
     if (choice.tolerance > 0.0) model.askTolerance(choice.tolerance);

@@ -3,7 +3,7 @@
 #include <build_paths.hpp>
 
 #include <dynamy/io/fclib/fclib_file.hpp>
-#include <dynamy/io/fclib/hdf5_file.hpp>
+#include <dynamy/io/hdf5/hdf5_file.hpp>
 #include <program/program_fixture.hpp>
 
 namespace dynamy {

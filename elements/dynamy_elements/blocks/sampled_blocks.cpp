@@ -3,6 +3,7 @@
 #include <dynamy/core/constants.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/blocks/sampled_blocks.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -10,6 +11,11 @@ namespace {
 /// An instant counts as reached this part of it before: larger than the rounding of times and than
 /// the distance at which located steps end beside an instant.
 constexpr double kSame = 1e-12;
+
+/// The next number that a double can hold: count + 1 up to 2⁵³.
+double following(double count) {
+  return std::max(count + 1.0, std::nextafter(count, std::numeric_limits<double>::infinity()));
+}
 
 }  // namespace
 
@@ -29,13 +35,13 @@ bool SampleClock::due(double t, double count) const {
 
 double SampleClock::after(double t) const {
   double count = std::max(0.0, std::floor((t - offset_) / period()));
-  while (due(t, count)) ++count;
+  while (due(t, count)) count = following(count);
   return count;
 }
 
 double SampleClock::next(double t) const {
   double count = std::max(0.0, std::floor((t - offset_) / period()));
-  while (at(count) <= t) ++count;
+  while (at(count) <= t) count = following(count);
   return at(count);
 }
 

@@ -36,7 +36,10 @@ class SampleClock {
   double last(double t) const { return after(t) - 1.0; }
 
  private:
-  double at(double count) const { return offset_ + grid_.at(static_cast<long>(count)); }
+  double at(double count) const {
+    constexpr double kExact = 9007199254740992.0;  // 2⁵³: beyond it not every number is there
+    return offset_ + (count < kExact ? grid_.at(static_cast<long>(count)) : period() * count);
+  }
   TimeGrid grid_;
   double offset_;
 };

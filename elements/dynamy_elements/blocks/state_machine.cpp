@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/blocks/state_machine.hpp>
@@ -158,6 +159,13 @@ void StateMachine::remember(const Kinematics& k, Vec memory) const {
     memory[kValue] = t.newValue(k, own);
     memory[kActive] = t.to(), memory[kSince] = k.t();
   }
+}
+
+std::string StateMachine::memoryFault(ConstVec memory) const {
+  const double active = memory[kActive];
+  const auto states = static_cast<double>(states_.size());
+  if (active >= 0.0 && active < states && active == std::floor(active)) return {};
+  return "it has no state with this number";
 }
 
 double StateMachine::out(const Kinematics& k, const double* held) const {

@@ -53,6 +53,7 @@ class StateMachine final : public NonSmoothElement {
   void connect(Topology& topology) override;
   void contacts(const Kinematics&, ContactSink&) const override {}
   void remember(const Kinematics& k, Vec memory) const override;
+  std::string memoryFault(ConstVec memory) const override;
   void describe(Description& d) const override;
 
  private:

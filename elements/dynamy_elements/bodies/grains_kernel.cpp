@@ -158,9 +158,9 @@ void Grains::takeSizes(const Parameters& x, SeededNumbers& numbers) {
       s = 1.0 / std::sqrt(numbers.uniform(1.0 / (b * b), 1.0 / (a * a)));
     if (distribution == "lognormal") do
         s = std::exp(middle + sigma * numbers.normal());
-      while (s < a || s > b);
+      while (a < b && (s < a || s > b));
   }
-  if (a == b) std::fill(size_.begin(), size_.end(), a);
+  if (a == b) std::fill(size_.begin(), size_.end(), a);  // without the rounding of a logarithm
   if (a == 1.0 && b == 1.0) return;
   const bool central = shape_->r_SB_K().isZero(0.0);  // then all grains have the same parameters
   Parameters of = scaled(*shape_, 1.0);

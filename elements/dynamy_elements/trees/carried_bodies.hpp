@@ -31,7 +31,11 @@ class CarriedBodies final : public BodyCarrier {
   CarriedBodies(const CarriedBodies&) = delete;
   CarriedBodies& operator=(const CarriedBodies&) = delete;
 
-  void add(TreeBody body) { bodies_.push_back(std::move(body)); }
+  void add(TreeBody body) {
+    expects(body.blocks.nq <= kMostOwn && body.blocks.nu <= kMostOwn,
+            "a rigid body has few coordinates");
+    bodies_.push_back(std::move(body));
+  }
   const std::vector<TreeBody>& all() const { return bodies_; }
   const Vec3& planeNormal() const { return planeNormal_; }
 

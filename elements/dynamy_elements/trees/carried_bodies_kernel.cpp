@@ -70,8 +70,6 @@ void CarriedBodies::ownVelocities(int i, ConstVec q, ConstVec u, Block J, Vec bi
 
 double CarriedBodies::signal(const TreeBody& body, const SignalFunction& f,
                              const SignalView& v) const {
-  expects(body.blocks.nq <= kMostOwn && body.blocks.nu <= kMostOwn,
-          "a rigid body has few coordinates");
   const Tree::Motions& x = results_.at(tree_, v.q, v.u);
   const Vec q(shown_.q.data(), body.blocks.nq), u(shown_.u.data(), body.blocks.nu);
   if (shown_.body != &body || shown_.changes != results_.changes()) {

@@ -3,6 +3,7 @@
 #include <dynamy_elements/trees/compose_trees.hpp>
 #include <dynamy_elements/trees/tree_choice.hpp>
 #include <dynamy_elements/trees/tree_system.hpp>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -109,6 +110,7 @@ class Composer {
     return i;
   }
   void note(std::string text) { model_.composed.notes.push_back(std::move(text)); }
+  void noteConstraint(const Element& joint, const std::string& why);
 
   Model& model_;
   std::optional<TreeChoice> choice_;  // none: every joint that can is a coordinate
@@ -119,8 +121,29 @@ class Composer {
   std::vector<TreeSystem::System> bodies_;  // taken out, by index of the system
   std::vector<std::unique_ptr<TreeSystem>> trees_;
   std::vector<std::string> joints_;  // of the bodies of the tree being built, with their places
+  struct Constraints {
+    std::size_t note;
+    std::vector<std::string> titles;
+  };
+  std::map<std::string, Constraints> constraints_;  // by the reason why they are no coordinates
   bool any_ = false;
 };
+
+/// One note tells all joints that stay constraints for one reason.
+void Composer::noteConstraint(const Element& joint, const std::string& why) {
+  std::vector<std::string>& notes = model_.composed.notes;
+  const auto [it, isNew] = constraints_.try_emplace(why, Constraints{notes.size(), {}});
+  if (isNew) notes.emplace_back();
+  std::vector<std::string>& titles = it->second.titles;
+  titles.push_back(title(joint));
+  std::string text = titles[0];
+  if (titles.size() > 2)
+    text += ", " + titles[1] + " and " + std::to_string(titles.size() - 2) + " more";
+  else if (titles.size() == 2)
+    text += " and " + titles[1];
+  notes[it->second.note] =
+      text + (titles.size() > 1 ? " stay constraints: " : " stays a constraint: ") + why;
+}
 
 std::string Composer::whyNot(const JointMotion& m) const {
   for (const int i : {m.systemA, m.systemB})
@@ -147,7 +170,7 @@ void Composer::findEdges() {
     }
     any_ = true;
     if (const std::string why = whyNot(edge.motion); !why.empty())
-      note(title(*contact) + " stays a constraint: " + why);
+      noteConstraint(*contact, why);
     else
       edges_.push_back(std::move(edge));
   }
@@ -162,7 +185,7 @@ void Composer::takeChosen() {
     std::erase_if(edges_, [&](const Edge& e) {
       const std::string why = choice_->whyNot(*e.joint);
       if (why.empty() || e.rotor()) return false;
-      note(title(*e.joint) + " stays a constraint: " + why);
+      noteConstraint(*e.joint, why);
       return true;
     });
     return;
@@ -241,7 +264,7 @@ void Composer::dropUnwanted() {
     if (why.empty() || rotor) continue;
     for (const int e : branch.edges) {
       drop[at(e)] = true;
-      note(title(*edges_[at(e)].joint) + " stays a constraint: " + why);
+      noteConstraint(*edges_[at(e)].joint, why);
     }
   }
   std::vector<Edge> kept;

@@ -44,8 +44,12 @@ TreeChoice::TreeChoice(Model& model) : model_(model) {
   else if (std::find(read_.begin(), read_.end(), "*") != read_.end())
     reason_ = "all signals are recorded, forces of joints as well";
   for (const auto& system : model.systems()) {
-    all_.push_back(materialsOf(*system));
-    moving_.push_back(system->blocks().nu > 0 ? all_.back() : std::vector<std::string>());
+    const auto i = static_cast<int>(own_.size());
+    own_.push_back(materialsOf(*system));
+    for (const std::string& material : own_.back()) {
+      all_[material].push_back(i);
+      if (system->blocks().nu > 0) moving_[material].push_back(i);
+    }
   }
 }
 
@@ -58,12 +62,11 @@ std::string TreeChoice::whyNot(const NonSmoothElement& joint) const {
   return {};
 }
 
-bool TreeChoice::meets(int system, const std::vector<std::vector<std::string>>& others) {
-  const auto at = static_cast<std::size_t>(system);
-  for (const std::string& own : all_[at])
-    for (std::size_t i = 0; i < others.size(); ++i)
-      for (const std::string& other : others[i])
-        if (i != at && model_.pairLaws().meet(own, other)) return true;
+bool TreeChoice::meets(int system, const std::map<std::string, std::vector<int>>& others) {
+  for (const std::string& own : own_[static_cast<std::size_t>(system)])
+    for (const auto& [other, systems] : others)
+      if ((systems.size() > 1 || systems.front() != system) && model_.pairLaws().meet(own, other))
+        return true;
   return false;
 }
 

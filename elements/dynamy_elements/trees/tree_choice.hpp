@@ -34,13 +34,13 @@ class TreeChoice {
 
  private:
   std::string whyNotInFixedSteps(const std::vector<int>& bodies, int velocities);
-  bool meets(int system, const std::vector<std::vector<std::string>>& others);
+  bool meets(int system, const std::map<std::string, std::vector<int>>& others);
   static constexpr int kFewVelocities = 6;
   Model& model_;
   std::string reason_;
-  std::vector<std::string> read_;  // names of signals that are recorded or checked
-  std::vector<std::vector<std::string>> all_,
-      moving_;  // materials of shapes of each system; of those that move
+  std::vector<std::string> read_;              // names of signals that are recorded or checked
+  std::vector<std::vector<std::string>> own_;  // materials of the shapes of each system
+  std::map<std::string, std::vector<int>> all_, moving_;  // systems with shapes of a material
 };
 
 }  // namespace dynamy

@@ -148,10 +148,13 @@ TreeSystem::StartChange TreeSystem::finish() {
   }
   if (!any || tree_.nu() == 0) return out;
   tree_.project(x, wrench, view(momentum));
-  const int nu = tree_.nu();
-  RowMatrix mass(nu, nu);
-  tree_.mass(x, results_.inertia, {mass.data(), nu, nu});
-  u0_ = mass.ldlt().solve(momentum);
+  if (const int nu = tree_.nu(); nu <= kDense) {
+    RowMatrix mass(nu, nu);
+    tree_.mass(x, results_.inertia, {mass.data(), nu, nu});
+    u0_ = mass.ldlt().solve(momentum);
+  } else {
+    tree_.solve(x, results_.factors(tree_), view(std::as_const(momentum)), wrench, view(u0_));
+  }
   out.kineticAfter = 0.5 * u0_.dot(momentum);
   results_.at(tree_, view(std::as_const(start_)), view(std::as_const(u0_)));
   for (const TreeBody& b : carried_.all()) {

@@ -39,8 +39,6 @@ class MixingRule final : public MaterialRule {
   void enter(PairLaws& laws) const override;
   bool isMirrored(const MirrorPlane&) const override { return true; }
   ContactValues mix(const ContactValues& a, const ContactValues& b) const;
-  const std::string& ofFriction() const { return friction_; }
-  const std::string& ofRestitution() const { return restitution_; }
 
  private:
   std::string friction_, restitution_;

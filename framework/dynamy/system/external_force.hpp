@@ -54,6 +54,9 @@ class ExternalForce : public Element {
   /// wherever any element switches; a second call at the same state must have no further effect.
   /// A rejected step is rolled back.
   virtual void remember(const Kinematics&, Vec /*memory*/) const {}
+  /// Why `memory`, read from a checkpoint, cannot be numbers of this element; empty (default): it
+  /// can. Elements that take an index from their memory check it here, once, and never within a step.
+  virtual std::string memoryFault(ConstVec /*memory*/) const { return {}; }
   /// True: all of the force derives from potentialEnergy.
   virtual bool hasPotential() const { return false; }
   virtual double potentialEnergy(const Kinematics&) const { return 0.0; }

@@ -39,6 +39,7 @@ class Search {
     HeldMotion motion(model_, x, gap(), options_.near * std::max(1.0, maxAbs(x.u)));
     SteadySearch search(model_, motion);
     Equilibrium out;
+    out.sampled = samplingElements(model_);
     out.at = x, out.rest = maxAbs(x.u) == 0.0;
     MotionSample here = motion.at(x);
     if (!(maxAbs(here.a) <= search.allowed()) || maxAbs(here.position) > gap()) {

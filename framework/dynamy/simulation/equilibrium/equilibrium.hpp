@@ -41,6 +41,7 @@ struct Equilibrium {
   std::string start;    ///< why the start and its surroundings are none; empty: they are
   int relaxations = 0;  ///< maxima of the kinetic energy that were passed
   long steps = 0;       ///< of the scheme, on the way
+  std::vector<std::string> sampled;  ///< as Linearisation
   std::vector<CarryingContact> contacts;
   std::vector<std::pair<std::string, double>>
       state;  ///< by signals: coordinates; velocities if it moves

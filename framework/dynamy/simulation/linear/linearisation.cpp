@@ -7,6 +7,7 @@
 #include <dynamy/simulation/linear/linearisation.hpp>
 #include <dynamy/simulation/linear/state_variation.hpp>
 #include <dynamy/simulation/linear/steady_search.hpp>
+#include <dynamy/system/announced_signals.hpp>
 
 namespace dynamy {
 namespace {
@@ -130,12 +131,21 @@ int Linearisation::growing() const {
                     [this](const std::complex<double>& z) { return z.real() > noise; }));
 }
 
+std::vector<std::string> samplingElements(const Model& model) {
+  const std::string ending = "." + std::string(kNextSample);
+  std::vector<std::string> out;
+  for (const NamedSignal& s : model.signals())
+    if (s.name.ends_with(ending)) out.push_back(s.name.substr(0, s.name.size() - ending.size()));
+  return out;
+}
+
 Linearisation linearise(Model& model, const State& from, const LinearisationOptions& options) {
   HeldMotion motion(model, from, options.near * model.length(),
                     options.near * std::max(1.0, maxAbs(from.u)));
   SteadySearch search(model, motion);
   Linear linear(model, motion, search.steps());
   Linearisation out;
+  out.sampled = samplingElements(model);
   out.at = from;
   if (options.seek) out.moved = search.seek(out.at);
 

@@ -43,8 +43,14 @@ struct Linearisation {
   Eigen::VectorXcd eigenvalues;    ///< by growing real part [1/s]
   Eigen::MatrixXcd modes;          ///< z of each, largest |w| 1, 2 nu × eigenvalues
   std::vector<HeldMotion::Contact> contacts;
+  /// Elements that sample the motion, whose outputs are held at their values at the motion: loops that
+  /// they close are not in A.
+  std::vector<std::string> sampled;
   int growing() const;  ///< eigenvalues with a positive real part
 };
+
+/// Names of the elements of a model that sample its motion at instants of their own.
+std::vector<std::string> samplingElements(const Model& model);
 
 /// Throws ModelError if no steady motion is found, if a contact does not permit its force, or if
 /// the linear equations change along the motion.

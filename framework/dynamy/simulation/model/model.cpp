@@ -129,6 +129,10 @@ State Model::initialState() const {
   return x;
 }
 
+double gTolOf(const Model& model) {
+  return model.simulation.gTol >= 0.0 ? model.simulation.gTol : 1e-12 * model.length();
+}
+
 MechanicalSystem Model::mechanicalSystem(const SystemSubset* some) {
   SystemParts parts;
   parts.topology = topology_.get();
@@ -138,7 +142,7 @@ MechanicalSystem Model::mechanicalSystem(const SystemSubset* some) {
   parts.subset = some;
   // Projections may need one slot more than the scheme.
   MechanicalSystem system(parts, std::max(2, scheme().evaluations()));
-  system.gTol(simulation.gTol >= 0.0 ? simulation.gTol : 1e-12 * length());
+  system.gTol(gTolOf(*this));
   system.limits.length = length();
   return system;
 }

@@ -155,4 +155,7 @@ class Model {
   std::vector<Completion> completions_;
 };
 
+/// Gap up to which a contact of the model is closed [m]: that of its settings, else 1e-12 lengths.
+double gTolOf(const Model& model);
+
 }  // namespace dynamy

@@ -2,7 +2,8 @@
 /// so that no figure depends on what is recorded.
 ///
 ///   value   the signal at one instant, through the scheme's interpolation; default: the end
-///   mean    (1/T) ∫ s dt over the interval, trapezoids between the ends of steps
+///   mean    (1/T) ∫ s dt over the interval, trapezoids between the ends of steps; where the scheme
+///           chooses its steps Gauss' rule within them
 ///   min max over the ends of steps and the ends of the interval
 ///   period  mean distance of upward crossings of the mid level (min + max)/2; a crossing counts
 ///           only after the signal was 5 % of its range below it, so that chatter is one crossing.
@@ -37,7 +38,9 @@ class Measurement {
   /// Reserves room for `samples` pairs (t, s) if the measure has to keep them; up to this number
   /// add() does not allocate.
   void reserve(std::size_t samples);
-  void add(double t, double s);
+  void add(double t, double s) { add(t, s, 0.5 * (t - t_) * (s_ + s)); }
+  /// `area`: ∫ s dt since the last sample.
+  void add(double t, double s, double area);
   /// Includes a value between two samples in the minimum and maximum.
   void between(double s) { min_ = std::min(min_, s), max_ = std::max(max_, s); }
   /// The measured value; NaN if there are too few samples.
@@ -70,6 +73,8 @@ class Checks final : public Observer {
 
  private:
   void feed(const StepView& view, std::size_t i, double end);
+  /// ∫ s dt from a to b within a step.
+  double area(const StepView& view, std::size_t i, double a, double b);
   /// Adds samples within a step of a scheme that chooses its steps: such a step may hold a whole
   /// oscillation.
   void feedWithin(const StepView& view, std::size_t i, double end);

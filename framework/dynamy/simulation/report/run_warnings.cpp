@@ -18,6 +18,7 @@ constexpr double kOverlapWays = 2.0;           ///< of the distance in a step
 constexpr double kMostOfRun = 0.5;             ///< share of the time, stepped
 constexpr double kSameOverlap = 1.01;          ///< of the overlap at the start
 constexpr double kStart = 1e-6;                ///< of the scene's length
+constexpr double kPushed = 1e-10;              ///< the same, whose energy shows where all rests
 constexpr double kJoint = 1e-3;                ///< of the scene's length
 constexpr double kOmegaDt = 1.0;               ///< [rad]
 constexpr double kTurn = 1.0;                  ///< [rad]
@@ -29,7 +30,10 @@ double ratio(double value, double scale) { return scale > 0.0 ? value / scale : 
 using Warnings = std::vector<Warning>;
 
 /// What makes the figures of the run better.
-const char* remedy(const RunReport& r) {
+std::string remedy(const RunReport& r, double length) {
+  if (r.gaps.atStart.value > kPushed * length)
+    return fmt::format("the model puts bodies into each other, by {:.2g} m at {}: let them touch",
+                       r.gaps.atStart.value, r.gaps.atStart.name);
   return r.cost.effort.smooth > 0 ? "take a smaller tolerance" : "take a smaller step";
 }
 
@@ -51,7 +55,7 @@ void aboutSolver(const RunReport& r, Warnings& out) {
                  r.solver.unconverged, r.solver.unsolved.t, r.solver.unsolved.contact});
 }
 
-void aboutEnergy(const RunReport& r, Warnings& out) {
+void aboutEnergy(const RunReport& r, double length, Warnings& out) {
   const RunTrust& t = r.trust;
   const double fromStart = ratio(t.energyRise, t.energyScale());
   const double fromLeast = ratio(t.energyGain, t.gainScale());
@@ -60,16 +64,17 @@ void aboutEnergy(const RunReport& r, Warnings& out) {
   const double rise = std::max(fromStart, fromLeast);
   const double error = ratio(t.energyError, t.energyScale());
   if (rise > kEnergy)
-    out.push_back({"energy gain",
-                   fmt::format("T + V rose by {:.3g} J (t = {:.6g} s), {:.3g} of the largest T, "
-                               "and nothing brought it in; {}",
-                               risen, after ? t.energyGainTime : t.energyRiseTime, rise, remedy(r)),
-                   1, after ? t.energyGainTime : t.energyRiseTime});
+    out.push_back(
+        {"energy gain",
+         fmt::format("T + V rose by {:.3g} J (t = {:.6g} s), {:.3g} of the largest T, "
+                     "and nothing brought it in; {}",
+                     risen, after ? t.energyGainTime : t.energyRiseTime, rise, remedy(r, length)),
+         1, after ? t.energyGainTime : t.energyRiseTime});
   else if (error > kEnergy)
     out.push_back({"energy",
                    fmt::format("{:.3g} J (t = {:.6g} s), {:.3g} of the largest T, went "
                                "where no force did work: the scheme's own error; {}",
-                               t.energyError, t.energyErrorTime, error, remedy(r)),
+                               t.energyError, t.energyErrorTime, error, remedy(r, length)),
                    1, t.energyErrorTime});
   if (ratio(t.dampedLoss, t.energyScale()) > kEnergy)
     out.push_back({"damped",
@@ -97,9 +102,8 @@ void aboutImpacts(const RunReport& r, Warnings& out) {
 void aboutPositions(const RunReport& r, double length, Warnings& out) {
   const double overlap = r.gaps.penetration.value;
   // What the model gives may grow by what no step pushes out, and by what any step may add.
-  const double given =
-      r.gaps.atStart.value > kStart * length ? kSameOverlap * r.gaps.atStart.value : 0.0;
-  if (given > 0.0)
+  const double given = kSameOverlap * r.gaps.atStart.value;
+  if (r.gaps.atStart.value > kStart * length)
     out.push_back({"start",
                    fmt::format("the model puts bodies into each other: {:.2g} m at {}; pushing "
                                "them apart changes the energy",
@@ -271,7 +275,7 @@ constexpr std::array<RunFigure, 11> kFigures = {{
 std::vector<Warning> warningsOf(const RunReport& report, double sceneLength) {
   Warnings out = startWarnings(report.start, sceneLength);
   aboutSolver(report, out);
-  aboutEnergy(report, out);
+  aboutEnergy(report, sceneLength, out);
   aboutImpacts(report, out);
   aboutPositions(report, sceneLength, out);
   aboutParts(report, out);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/attributes.hpp>
+#include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/run/checkpoints.hpp>
 #include <utility>
 
@@ -48,6 +49,35 @@ std::string stateFault(const State& x, std::size_t contacts) {
   for (const ContactKey key : m.key)
     if (key.value >> 40 >= contacts) return "a contact is of an element that is not";
   return {};
+}
+
+namespace {
+
+std::string memoryFault(const Model& model, const State& x) {
+  const auto faultOf = [&](const auto& elements) -> std::string {
+    for (const auto& element : elements) {
+      const MemoryHandle own = model.topology().memories().of(*element);
+      if (own.size == 0) continue;
+      const std::string fault =
+          element->memoryFault(ConstVec(x.memory.data() + own.first, own.size));
+      if (!fault.empty()) return element->type() + " \"" + element->name() + "\": " + fault;
+    }
+    return {};
+  };
+  const std::string fault = faultOf(model.forces());
+  return fault.empty() ? faultOf(model.contacts()) : fault;
+}
+
+}  // namespace
+
+void refuseForeign(const Model& model, const Archive& a, const State& x) {
+  const Topology& t = model.topology();
+  const auto memory = static_cast<Eigen::Index>(t.memories().start().size());
+  if (x.q.size() != t.nq() || x.u.size() != t.nu() || x.memory.size() != memory || !a.atEnd())
+    throw ModelError("the checkpoint belongs to another model");
+  std::string fault = stateFault(x, model.contacts().size());
+  if (fault.empty()) fault = memoryFault(model, x);
+  if (!fault.empty()) throw ModelError("the checkpoint cannot be of this run: " + fault);
 }
 
 }  // namespace dynamy

@@ -10,6 +10,8 @@
 
 namespace dynamy {
 
+class Model;
+
 class Checkpoints {
  public:
   using Clock = std::chrono::steady_clock;
@@ -43,5 +45,8 @@ void archiveState(Archive& a, State& x);
 /// Why x, read from a checkpoint, cannot be a state of a run of a model with so many contact
 /// elements; empty: it can. Indices are checked here, once, and never within a step.
 std::string stateFault(const State& x, std::size_t contacts);
+/// Throws ModelError if x, the state that was read from `a`, cannot be of a run of the model: by its
+/// sizes, by stateFault(), or by the memory of an element, or if `a` holds more.
+void refuseForeign(const Model& model, const Archive& a, const State& x);
 
 }  // namespace dynamy

@@ -2,6 +2,7 @@
 /// therefore end (system/announced_signals.hpp).
 #pragma once
 #include <dynamy/system/description.hpp>
+#include <string>
 #include <vector>
 
 namespace dynamy {
@@ -15,11 +16,18 @@ class SampleInstants {
   explicit SampleInstants(const Model& model);
   /// The first instant after t; one that t reaches up to rounding is not after it. Infinity: none.
   double after(double t) const;
+  /// Why the instants near `until`, where a run ends, do not move t, so that it never ends; empty:
+  /// they do.
+  std::string fault(double until) const;
   /// True: a step to tE passes instant `at` by more than rounding.
   static bool isWithin(double at, double tE);
 
  private:
-  std::vector<SignalFunction> next_;
+  struct Announced {
+    std::string element;
+    SignalFunction next;
+  };
+  std::vector<Announced> announced_;
 };
 
 }  // namespace dynamy

@@ -112,6 +112,12 @@ void Simulation::guarded(Call&& call) {
   const auto wall = Clock::now();
   const std::clock_t cpu = std::clock();
   const double wallBefore = report_.cost.wall, cpuBefore = report_.cost.cpu;
+  // No observer is called again: what it would write may be what could not be written.
+  const auto endThrown = [this](std::string reason) {
+    endBecause(std::move(reason));
+    report_.t = t();
+    observers_.sumUp();
+  };
   try {
     call();
   } catch (const Stopped&) {
@@ -119,14 +125,14 @@ void Simulation::guarded(Call&& call) {
   } catch (const std::bad_alloc&) {
     outOfMemory();
   } catch (const ElementFault& e) {
-    endBecause("t = " + numberText(t()) + " s: " + e.what());
+    endThrown("t = " + numberText(t()) + " s: " + e.what());
   } catch (const std::exception& e) {  // of observers and files: a full disk, a user's observer
     const std::string law = lawThatThrows(system_);
-    endBecause(law.empty() ? e.what() : "t = " + numberText(t()) + " s: " + law);
+    endThrown(law.empty() ? e.what() : "t = " + numberText(t()) + " s: " + law);
   } catch (...) {
     const std::string law = lawThatThrows(system_);
-    endBecause("t = " + numberText(t()) +
-               " s: " + (law.empty() ? "something was thrown that is no std::exception" : law));
+    endThrown("t = " + numberText(t()) +
+              " s: " + (law.empty() ? "something was thrown that is no std::exception" : law));
   }
   report_.cost.wall = wallBefore + seconds(Clock::now() - wall);
   report_.cost.cpu = cpuBefore + static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
@@ -162,7 +168,9 @@ bool Simulation::start() {
     whole_ = true, step_.settle();
     if (checkpoints_.hasReceiver() && !resumed_)
       checkpoints_.handOn([this] { checkpoints_.keep(archived()); });
-    if (const std::string reason = step_.fault(); !reason.empty()) endBecause(reason);
+    std::string reason = step_.fault();
+    if (reason.empty()) reason = SampleInstants(model_).fault(model_.simulation.until);
+    if (!reason.empty()) endBecause(reason);
     over_ = false;
   });
   return !over_;
@@ -284,14 +292,9 @@ void Simulation::archive(Archive& a) {
 }
 
 void Simulation::resume(const std::string& checkpoint, std::optional<double> changed) {
-  const State& x = step_.x();
-  const Eigen::Index nq = x.q.size(), nu = x.u.size(), memory = x.memory.size();
   Archive a(checkpoint);
   archive(a);
-  if (x.q.size() != nq || x.u.size() != nu || x.memory.size() != memory || !a.atEnd())
-    throw ModelError("the checkpoint belongs to another model");
-  if (const std::string fault = stateFault(x, model_.contacts().size()); !fault.empty())
-    throw ModelError("the checkpoint cannot be of this run: " + fault);
+  refuseForeign(model_, a, step_.x());
   step_.resumed();
   if (changed) {
     step_.change().scheme.resize(0);

@@ -3,7 +3,8 @@
 ///
 ///   loop (fixed steps, …) → attempt: OneStep::step → sound? → accept: observers see the step
 ///
-/// A step neither throws nor prints nor allocates. A run ends at the first number that is not
+/// step() and run() neither throw nor print, whatever elements and observers do, and a step of the
+/// usual size does not allocate. A run ends at the first number that is not
 /// finite and at the first mass matrix that is not positive definite. The error names the system
 /// and its place, and the numbers recorded before are kept. Rejected: one loop with flags for all
 /// ways to choose steps; each way is a TimeLoop.

@@ -1,6 +1,6 @@
 /// TimeLoop: determines the sequence of accepted steps. Simulation drives observers and reports; a
-/// loop only proposes steps, so that fixed steps, augmented stepping and event location are one
-/// file each.
+/// loop only proposes steps: of a fixed length (FixedStep), or those that the scheme chooses itself
+/// (OwnSteps).
 #pragma once
 #include <algorithm>
 #include <dynamy/core/archive.hpp>

@@ -39,6 +39,17 @@ TEST(StateMachine, LeavesAStateAfterATimeAndCounts) {
   EXPECT_NEAR(x.u[0], 1.0 + 0.7, 1e-9);
 }
 
+TEST(StateMachine, ChecksTheStateOfACheckpoint) {
+  BlockScene scene(cart("", R"(step="1e-2">)",
+                        R"(<StateMachine name="m" states="on off" out="2; 0">
+      <Transition from="on" to="off" after="0.2s"/></StateMachine>)"));
+  const NonSmoothElement& machine = *scene.model().contacts().front();
+  for (const double number : {2.0, -1.0, 0.5, std::nan("")})
+    EXPECT_FALSE(machine.memoryFault(ConstVec(&number, 1)).empty()) << number;
+  const double good = 1.0;
+  EXPECT_TRUE(machine.memoryFault(ConstVec(&good, 1)).empty());
+}
+
 TEST(StateMachine, RefusesStatesThatItHasNotAndComparisons) {
   const auto refused = [](const std::string& transition) {
     try {

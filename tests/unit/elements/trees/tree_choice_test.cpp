@@ -108,6 +108,21 @@ TEST(TreeChoice, TakesAMechanismWithARotorWhateverTheSteps) {
   EXPECT_EQ(m.run.model().topology().nu(), 2 + 6);
 }
 
+TEST(TreeChoice, TellsOnceWhyManyJointsStay) {
+  std::string bodies, hinges;
+  for (int i = 0; i < 8; ++i) {
+    const std::string own = "b" + std::to_string(i);
+    bodies += rod(own.c_str(), i);
+    const std::string between = (i == 0 ? "world " : "b" + std::to_string(i - 1) + ' ') + own;
+    hinges += hinge(("j" + std::to_string(i)).c_str(), between.c_str(), i);
+  }
+  ChosenModel m(bodies, hinges, kStep, "", kRun);
+  EXPECT_NE(
+      m.notes().find("\"j0\", \"j1\" and 6 more stay constraints: in steps of a fixed length 8"),
+      std::string::npos)
+      << m.notes();
+}
+
 TEST(TreeChoice, KeepsTheForcesOfJointsThatAreRead) {
   ChosenModel named(kChain, kHinges, kTolerance, "<record signals=\"a.x k.Lambda_T1\"/>");
   EXPECT_EQ(named.made().coordinates, 1);

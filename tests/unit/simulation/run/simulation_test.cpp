@@ -184,6 +184,10 @@ TEST(Simulation, AnObserverThatThrowsEndsTheRunWithItsMessage) {
   s.observe(thrower);
   EXPECT_EQ(s.run().ended, RunReport::Ended::failed);
   EXPECT_EQ(s.report().reason, "disk full");
+  // The figures so far stand all the same: a ball of 1 kg at 1 m.
+  EXPECT_GT(s.report().t, 0.0);
+  EXPECT_NE(s.report().energy.potentialStart, 0.0);
+  EXPECT_NE(s.report().hash, 0U);
 }
 
 /// Solves steps of at most `longest` only.
