@@ -58,10 +58,10 @@ bool rebounds(const ContactSet& c, int i) {
   return epsilon[0] > 0.0;
 }
 
-/// True: contact i, at the state x, does not remove an overlap itself: it has no restitution, or it has
-/// carried in the last step and approaches all the same, as where a body slides round
-/// within a bore, if the overlap is less than the way of a step, grows, and is above kCreeps of the
-/// scene's length. A rebound does remove it.
+/// True: contact i, at the state x, does not remove an overlap itself. It has no restitution; or it has
+/// carried in the last step and approaches all the same, as where a body slides round within a bore.
+/// Such an overlap is less than the way of a step, grows, and is above kCreeps of the scene's length;
+/// any other is removed by the rebound.
 bool rests(const ContactSet& c, int i, const State& x, double length) {
   const auto at = static_cast<std::size_t>(i);
   if (!c.law[at]->unilateral()) return false;

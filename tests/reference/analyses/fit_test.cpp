@@ -43,6 +43,12 @@ const char* const kThrownModel = R"x(<parameter name="e" value="0.5"/>
   <elements><Contact between="rubber concrete"><UnilateralCoulomb epsilonN="{e}" mu="{mu}"/></Contact></elements>
   <simulation until="1.5" tolerance="1e-8"/>)x";
 
+/// The fit of a line in closed form: (y0, v), and C = σ² (AᵀA)⁻¹.
+struct Line {
+  Eigen::Vector2d best;
+  Eigen::Matrix2d C;
+};
+
 class Fits : public ::testing::Test {
  protected:
   Fits() {
@@ -72,6 +78,18 @@ class Fits : public ::testing::Test {
       run.data.push_back({"ball.z", t, 0.1 + z + noise(sigma), given});
     }
     return run;
+  }
+  /// Measures y = y0 + v t, whose errors have the standard deviation sigma, at eleven instants.
+  Line measuredLine(MeasuredRun& run, double y0, double v, double sigma) {
+    Eigen::MatrixX2d A(11, 2);
+    Eigen::VectorXd y(11);
+    for (int i = 0; i <= 10; ++i) {
+      A.row(i) << 1.0, 0.1 * i;
+      y[i] = y0 + v * (0.1 * i) + noise(sigma);
+      run.data.push_back({"p.y", 0.1 * i, y[i], sigma});
+    }
+    const Eigen::Matrix2d N = A.transpose() * A;
+    return {N.ldlt().solve(A.transpose() * y), sigma * sigma * N.inverse()};
   }
 
   Registry registry_;
@@ -129,7 +147,6 @@ TEST_F(Fits, EstimateTheNoiseWhereItIsNotGiven) {
 }
 
 TEST_F(Fits, GiveTheCovarianceOfALinearProblem) {
-  // y = y0 + v t in closed form: C = σ² (AᵀA)⁻¹.
   const std::string line =
       R"x(<parameter name="a" value="0"/><parameter name="v" value="1"/>
       <systems><Coordinates name="p" q="y" q0="{a}" u0="{v}" M="1" h="0"/></systems>
@@ -139,16 +156,8 @@ TEST_F(Fits, GiveTheCovarianceOfALinearProblem) {
   MeasuredRun& run = request.runs.emplace_back();
   run.make = maker(line);
   const double sigma = 0.1;
-  Eigen::MatrixX2d A(11, 2);
-  Eigen::VectorXd y(11);
-  for (int i = 0; i <= 10; ++i) {
-    A.row(i) << 1.0, 0.1 * i;
-    y[i] = 0.3 + 0.5 * (0.1 * i) + noise(sigma);
-    run.data.push_back({"p.y", 0.1 * i, y[i], sigma});
-  }
+  const auto [best, C] = measuredLine(run, 0.3, 0.5, sigma);
   const Fit f = fit(request);
-  const Eigen::Matrix2d C = sigma * sigma * (A.transpose() * A).inverse();
-  const Eigen::Vector2d best = (A.transpose() * A).ldlt().solve(A.transpose() * y);
   for (int i = 0; i < 2; ++i) {
     const FittedParameter& p = f.parameters[static_cast<std::size_t>(i)];
     // The search ends where χ² changes by 1e-10 of itself, a hundred-thousandth of σ.
@@ -172,16 +181,8 @@ TEST_F(Fits, GiveIntervalsBesideParametersThatCannotBeToldApart) {
   MeasuredRun& run = request.runs.emplace_back();
   run.make = maker(line);
   const double sigma = 0.1;
-  Eigen::MatrixX2d A(11, 2);
-  Eigen::VectorXd y(11);
-  for (int i = 0; i <= 10; ++i) {
-    A.row(i) << 1.0, 0.1 * i;
-    y[i] = 0.3 + 2.5 * (0.1 * i) + noise(sigma);
-    run.data.push_back({"p.y", 0.1 * i, y[i], sigma});
-  }
+  const auto [best, C] = measuredLine(run, 0.3, 2.5, sigma);
   const Fit f = fit(request);
-  const Eigen::Matrix2d C = sigma * sigma * (A.transpose() * A).inverse();
-  const Eigen::Vector2d best = (A.transpose() * A).ldlt().solve(A.transpose() * y);
   const FittedParameter& p = parameterOf(f, "a");
   EXPECT_TRUE(p.identifiable);
   EXPECT_FALSE(parameterOf(f, "b").identifiable);

@@ -49,9 +49,8 @@ std::string SampleInstants::fault(double until) const {
     const double way = a.next(view) - view.t;
     if (!(view.t <= until) || !(way < least)) continue;
     return fmt::format(
-        "{} samples every {:.2g} s, which does not move t near {} s, where the run ends: take "
-        "{:.1g} "
-        "s or more",
+        "samples of {} are {:.2g} s apart, which does not move t near {} s, where the run ends: "
+        "take a period of {:.1g} s or more",
         a.element, way, until, 2.0 * least);
   }
   return {};

@@ -219,6 +219,20 @@ TEST(SampledBlocks, OfOneInstantSampleInTheOrderOfTheModel) {
   EXPECT_NEAR(scene.signal(x, "at_once.out"), 1.0, 1e-12);
 }
 
+TEST(SampledBlocks, WhosePeriodIsBelowTheRoundingOfTheTimeEndARunAtOnce) {
+  for (const char* simulation : {R"(step="1e-2">)", R"(tolerance="1e-6">)"}) {
+    BlockScene scene(
+        cart(R"(<Pid name="pid" error="2 - cart.x" kp="1" period="1e-18"/>)", simulation));
+    Simulation run(scene.model());
+    const RunReport& r = run.run();
+    EXPECT_EQ(r.ended, RunReport::Ended::failed) << simulation;
+    EXPECT_EQ(r.steps, 0) << simulation;
+    EXPECT_NE(r.reason.find("samples of pid"), std::string::npos) << r.reason;
+    // 128 times the rounding of 1 s is 2.8e-14 s.
+    EXPECT_NE(r.reason.find("take a period of 3e-14 s"), std::string::npos) << r.reason;
+  }
+}
+
 TEST(SampledBlocks, AreDifferentiatedWithTheRun) {
   Registry registry;
   PluginLoader plugins({DYNAMY_BINARY_DIR "/lib/dynamy"});
