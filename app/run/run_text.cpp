@@ -180,17 +180,18 @@ std::string headText(const Model& model, const RunChoice& choice) {
 
 /// Warns if the scheme itself changes the energy by more than rounding and by more than 1 % of the
 /// energy that is exchanged in the run. What damped forces lose is told by itself.
-std::string discretisationText(const EnergyReport& e, const RunTrust& trust) {
+std::string discretisationText(const RunReport& r) {
+  const EnergyReport& e = r.energy;
   // Add the absolute works: the work of drives and that of friction may cancel.
   const double moves =
       std::max({e.kineticStart, std::abs(e.potentialEnd - e.potentialStart),
                 std::abs(e.nonPotential) + std::abs(e.friction) + std::abs(e.normal) +
                     std::abs(e.joints) + std::abs(e.boundaries)});
-  const double change = std::abs(e.discretisation + trust.dampedLoss);
-  if (!(change > 0.01 * moves && change > trust.rounding)) return {};
+  const double change = std::abs(e.discretisation + r.trust.dampedLoss);
+  if (!(change > 0.01 * moves && change > r.trust.rounding)) return {};
   return fmt::format(
-      " THE DISCRETISATION CHANGED THE ENERGY by {:.2g} of what moves: take a smaller step\n",
-      change / moves);
+      " THE DISCRETISATION CHANGED THE ENERGY by {:.2g} of what moves: take a smaller {}\n",
+      change / moves, r.cost.effort.smooth > 0 ? "tolerance" : "step");
 }
 
 /// Purposes of the evaluations in a run to a tolerance.
@@ -276,7 +277,7 @@ std::string resultText(const Model& model, const RunReport& r,
   if (e.joints != 0.0) out += fmt::format("   joints {:.2g}", e.joints);
   if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
   out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
-  out += discretisationText(e, r.trust);
+  out += discretisationText(r);
   if (r.located.switches > 0 || r.located.accumulations > 0)
     out += fmt::format(
         " {} located, {} passed{}\n", counted(r.located.switches, "switch", "switches"),
