@@ -59,8 +59,11 @@ int note(dl_phdr_info* object, std::size_t, void* out) {
   const bool program = object->dlpi_name[0] == '\0';
   if (!program && !name.starts_with("libdynamy.so") && !name.starts_with("libdynamy_elements"))
     return 0;
-  static_cast<std::vector<Object>*>(out)->push_back(
-      {program ? "program" : name, file, buildId(*object)});
+  auto& found = *static_cast<std::vector<Object>*>(out);
+  // In the order of loading: the first ones are the program's, others those of an FMU in the model.
+  const std::string own = program ? "program" : name;
+  if (std::none_of(found.begin(), found.end(), [&](const Object& o) { return o.name == own; }))
+    found.push_back({own, file, buildId(*object)});
   return 0;
 }
 

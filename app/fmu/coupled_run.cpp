@@ -63,7 +63,13 @@ bool CoupledRun::isReached(double target, double t) const {
 
 void CoupledRun::input(const SetInput& set) {
   simulation_->input(set.at, set.value);
-  inputs_.push_back(set);
+  inputs_.push_back(set), stale_ = true;
+}
+
+void CoupledRun::sample() {
+  if (!std::exchange(stale_, false)) return;
+  simulation_->sampleAgain();
+  inputs_.push_back({{kSampled}, 0.0});
 }
 
 void CoupledRun::watch(const std::vector<const NamedSignal*>& statuses) {
@@ -87,6 +93,7 @@ bool CoupledRun::statusesChange() {
 }
 
 bool CoupledRun::take() {
+  sample();
   checkpoint_ = simulation_->archived();  // with the inputs
   inputs_.clear();
   const bool taken = simulation_->step();
@@ -147,7 +154,7 @@ void CoupledRun::archive(Archive& a) {
   a(statuses);
   if (!a.reading()) return;
   const auto known = [&](const SetInput& i) {
-    return i.at.first >= 0 &&
+    return i.at.first >= kSampled &&
            i.at.first < static_cast<int>(model_.topology().memories().start().size());
   };
   if (statuses.size() != statusesNow_.size() ||
@@ -155,10 +162,15 @@ void CoupledRun::archive(Archive& a) {
       !std::all_of(inputs.begin(), inputs.end(), known))
     throw ModelError("the state is of another FMU");
   model_.simulation.until = until;
-  startInputs_ = std::move(startInputs), inputs_.clear();
+  startInputs_ = std::move(startInputs), inputs_.clear(), stale_ = false;
   begin(checkpoint);
   if (!checkpoint.empty()) take();
-  for (const SetInput& i : inputs) input(i);
+  for (const SetInput& i : inputs) {
+    if (i.at.first == kSampled)
+      sample();
+    else
+      input(i);
+  }
   t_ = t, event_ = event, statusesNow_ = std::move(statuses);
 }
 

@@ -47,6 +47,8 @@ struct SetInput {
 
 class CoupledRun {
  public:
+  /// An input of this place stands for `sample`.
+  static constexpr int kSampled = -1;
   /// Called at the ends of steps on the way: true ends the advance there.
   using OnTheWay = std::function<bool(double t)>;
   struct Reached {
@@ -71,6 +73,8 @@ class CoupledRun {
   Reached advance(double target, bool stops, const OnTheWay& onTheWay);
   /// From now on an input has this value.
   void input(const SetInput& set);
+  /// Blocks that sample at t sample again if inputs were set since.
+  void sample();
   /// The next instant after t at which a block samples; infinity: none.
   double nextSample() const { return samples_.after(t_); }
   /// Writes or reads the state. Throws ModelError if the bytes are of another model.
@@ -87,8 +91,10 @@ class CoupledRun {
   SampleInstants samples_;
   std::unique_ptr<StepWatch> watch_;
   std::unique_ptr<Simulation> simulation_;
-  std::vector<SetInput> startInputs_, inputs_;  // at the start; set since the checkpoint
-  std::string checkpoint_;                      // before the last step; empty: there was none
+  /// At the start; set since the checkpoint, with kSampled where blocks have sampled again.
+  std::vector<SetInput> startInputs_, inputs_;
+  bool stale_ = false;      // inputs were set since blocks sampled
+  std::string checkpoint_;  // before the last step; empty: there was none
   double t_ = 0.0;
   bool event_ = false;  // at the end of the last step, not yet reached
   std::vector<double> values_;

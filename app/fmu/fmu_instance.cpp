@@ -128,6 +128,7 @@ void FmuInstance::enter(Mode mode) {
 
 double FmuInstance::updateDiscrete() {
   expect(Mode::event, "fmi3UpdateDiscreteStates");
+  run_->sample();
   before_ = fresh_ = false;
   outputs();
   held_ = values_;

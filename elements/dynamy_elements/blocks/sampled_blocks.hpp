@@ -1,74 +1,17 @@
 /// Blocks: elements that exert no force and give a signal `out`, which formulas read (theory 55).
-/// Those here change at the instants t_k = offset + k T alone, and hold `out` between them:
+/// Those here are sampled:
 ///
 ///   Sample   out = f(t_k)
 ///   Delay    out = f(t_{k−n})
 ///   Noise    out = mean + deviation z_k, independent random numbers of a seed
 ///   Pid      out = clamp(kp e + I + D + f):   I_k = I_{k−1} + ki T e_k,
 ///                                             D_k = (Tf D_{k−1} + kd (e_k − e_{k−1}))/(Tf + T)
-///
-/// What a block holds is part of State::memory: a rejected step restores it, a checkpoint stores
-/// it. A block changes it in remember() at t_k and announces these instants, at which every scheme
-/// ends a step. Blocks of one instant sample in the order of the model. Rejected: to sample at the
-/// end of the step that contains t_k; results would depend on the step.
 #pragma once
 #include <cstdint>
-#include <dynamy/simulation/model/time_grid.hpp>
-#include <dynamy/system/external_force.hpp>
 #include <dynamy_elements/blocks/pid_settings.hpp>
-#include <dynamy_elements/signal_formulas.hpp>
+#include <dynamy_elements/blocks/sampled_block.hpp>
 
 namespace dynamy {
-
-/// The instants t_k = offset + k T.
-class SampleClock {
- public:
-  static void declare(Attributes& a);
-  explicit SampleClock(const Parameters& x);
-  double period() const { return grid_.spacing(); }
-  /// Is instant number `count` reached at t, up to rounding?
-  bool due(double t, double count) const;
-  /// Number of the first instant after t; one that t reaches up to rounding is not after it.
-  double after(double t) const;
-  /// The first instant after t [s].
-  double next(double t) const;
-  /// Number of the last instant until t; −1: there is none.
-  double last(double t) const { return after(t) - 1.0; }
-
- private:
-  double at(double count) const {
-    constexpr double kExact = 9007199254740992.0;  // 2⁵³: beyond it not every number is there
-    return offset_ + (count < kExact ? grid_.at(static_cast<long>(count)) : period() * count);
-  }
-  TimeGrid grid_;
-  double offset_;
-};
-
-/// Base of the sampled blocks. Memory: number of the next instant, then what the block holds, out
-/// first.
-class SampledBlock : public ExternalForce {
- public:
-  explicit SampledBlock(const Parameters& x);
-  void connect(Topology& topology) final;
-  bool mayCouple() const override { return false; }
-  void addTo(const Kinematics&, ForceSink&) const final {}
-  void remember(const Kinematics& k, Vec memory) const final;
-  void describe(Description& d) const override;
-
- protected:
-  static void declareSampled(Attributes& a);
-  const SampleClock& clock() const { return clock_; }
-  /// What the block holds before the first instant.
-  virtual std::vector<double> held() const = 0;
-  virtual std::vector<SignalFormulas*> formulas() = 0;
-  /// Takes a sample: changes what the block holds.
-  virtual void sample(const Kinematics& k, double* held) const = 0;
-  double initial() const { return initial_; }
-
- private:
-  SampleClock clock_;
-  double initial_;
-};
 
 class Sample final : public SampledBlock {
  public:

@@ -10,11 +10,19 @@ namespace {
 /// Cosine of the camber below which the wheel lies on its side and has no contact.
 constexpr double kLies = 1e-6;
 
+/// Newton steps for the point of a road that is not flat, and the distance along the road to which
+/// it is found, over the radius: the slope there, and so the force, is off by as much.
+constexpr int kMostSteps = 20;
+constexpr double kFound = 1e-13;
+
+/// Distance for differences of slopes, over the radius; they lead the search and leave no trace.
+constexpr double kBeside = 1e-6;
+
 }  // namespace
 
 void Tyre::declare(Attributes& a) {
   a.about(
-      "Tyre of a wheel A on a flat road B: a carcass that yields, slips that build up over a "
+      "Tyre of a wheel A on a road B: a carcass that yields, slips that build up over a "
       "relaxation length, and the magic formula for both directions at once; camber counts as "
       "slip. "
       "Signals: load, longitudinalForce, lateralForce, aligningMoment, deflection, camber, slip, "
@@ -28,6 +36,10 @@ void Tyre::declare(Attributes& a) {
   a.vector("normal", Unit::none, 3, "0 0 1",
            "normal of the road, a plane through the origin of B, in axes of B")
       .notZero();
+  a.add(AttributeType::expression, "height", std::nullopt,
+        "height of a road that is not flat, a formula of x and y in axes of B [m], whose radii of "
+        "curvature are above that of the wheel, e.g. 0.05*exp(-((x - 10)/0.5)^2); default: 0")
+      .mayBeAbsent();
   a.required("stiffness", Unit::stiffness, "of the carcass, C_z, along the normal").positive();
   a.optional("damping", Unit::damping, 0.0, "of the carcass, along the normal").nonNegative();
   a.optional("mu", Unit::none, 1.0, "largest force in the road's plane over the load").positive();
@@ -57,6 +69,7 @@ void Tyre::declare(Attributes& a) {
 Tyre::Tyre(const Parameters& x)
     : ExternalForce(x),
       frames_(x),
+      height_(x, "height", 1, {"x", "y"}),
       axis_(x["axis"].vec3().normalized()),
       normal_(x["normal"].vec3().normalized()),
       radius_(x["radius"]),
@@ -74,6 +87,9 @@ Tyre::Tyre(const Parameters& x)
       trailShape_(x["trailCurve"].vector()) {
   if (x.name.empty())
     throw ModelError("the tyre has no name", "its slips are signals: add name=\"…\"");
+  if (!height_.empty() && normal_ != Vec3::UnitZ())
+    throw x["normal"].fault("a height counts along z of the road", "leave out normal", 0,
+                            x["normal"].text.size());
   if (tube_ > radius_)
     throw x["tube"].fault("a tyre thicker than its wheel", "at most the radius: a ball", 0,
                           x["tube"].text.size());
@@ -92,12 +108,50 @@ std::unique_ptr<PartialMechanicalSystem> Tyre::ownSystem() const {
 void Tyre::connect(Topology& topology) {
   frames_.connect(topology, *this);
   state_ = topology.system(name(), *this);
+  height_.connect(topology, *this);
+}
+
+/// From the centre of the wheel to the point of the circle of radius R − ρ that is lowest along n.
+Vec3 Tyre::crown(const Vec3& axle, const Vec3& n) const {
+  const double sine = axle.dot(n);
+  const double cosine = (axle - sine * n).norm();
+  if (cosine < kLies) return Vec3::Zero();
+  return -(radius_ - tube_) / cosine * (n - sine * axle);
+}
+
+Tyre::Road Tyre::road(const Kinematics& k) const {
+  const Frame &W = k.frame(frames_.A), &B = k.frame(frames_.B);
+  if (height_.empty()) return {B.A_IK * normal_, B.r_OS_I};
+  const Vec3 c = B.A_IK.transpose() * (W.r_OS_I - B.r_OS_I);
+  const Vec3 axle = B.A_IK.transpose() * (W.A_IK * axis_);
+  Vec3 n, r_o;  // in axes of B
+  const auto residual = [&](const Eigen::Vector2d& at) -> Eigen::Vector2d {
+    const double z = height_.value(k, at.data());
+    const double zx = height_.partial(0), zy = height_.partial(1);
+    n = Vec3(-zx, -zy, 1.0).normalized(), r_o = Vec3(at[0], at[1], z);
+    const Vec3 way = c + crown(axle, n) - r_o;
+    return {way.x() + zx * way.z(), way.y() + zy * way.z()};
+  };
+  Eigen::Vector2d at = c.head<2>();
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Eigen::Vector2d f = residual(at);
+    if (!(f.cwiseAbs().maxCoeff() > kFound * radius_)) break;
+    Eigen::Matrix2d J;
+    for (int j = 0; j < 2; ++j)
+      J.col(j) =
+          (residual(at + kBeside * radius_ * Eigen::Vector2d::Unit(j)) - f) / (kBeside * radius_);
+    const Eigen::Vector2d step = J.fullPivLu().solve(f);
+    at -= step * std::min(1.0, radius_ / std::max(step.norm(), kFound));
+  }
+  residual(at);
+  return {B.A_IK * n, B.r_OS_I + B.A_IK * r_o};
 }
 
 Tyre::Meeting Tyre::meeting(const Kinematics& k) const {
   const Frame &W = k.frame(frames_.A), &B = k.frame(frames_.B);
+  const Road road = this->road(k);
   Meeting m;
-  m.n = B.A_IK * normal_;
+  m.n = road.n;
   const Vec3 axle = W.A_IK * axis_;
   const double sine = axle.dot(m.n);
   const Vec3 across = axle - sine * m.n;
@@ -106,8 +160,8 @@ Tyre::Meeting Tyre::meeting(const Kinematics& k) const {
   m.ey = lies ? Vec3(m.n.unitOrthogonal()) : Vec3(across / cosine);
   m.ex = m.ey.cross(m.n);
   m.gamma = std::atan2(sine, cosine);
-  const Vec3 crown = -(radius_ - tube_) * (cosine * m.n - sine * m.ey);
-  const double height = m.n.dot(W.r_OS_I + crown - B.r_OS_I);
+  const Vec3 crown = this->crown(axle, m.n);
+  const double height = m.n.dot(W.r_OS_I + crown - road.r_o);
   m.delta = lies ? -radius_ : tube_ - height;
   m.rho = crown - height * m.n;
   const Vec3 v = W.velocity(m.rho) - B.velocity(W.r_OS_I + m.rho - B.r_OS_I);

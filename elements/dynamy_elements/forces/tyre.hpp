@@ -1,4 +1,4 @@
-/// Tyre: the forces between a wheel and a flat road, with a carcass that yields:        (theory 41.4)
+/// Tyre: the forces between a wheel and a road, with a carcass that yields:             (theory 41.4)
 ///
 ///   δ = ρ − n·(r_c − r_o)          r_c: lowest point of the circle of radius R − ρ on the wheel
 ///   N = max(0, C_z δ + d δ̇)  for δ > 0
@@ -14,9 +14,14 @@
 /// them like velocities of the scene. At rest they are the deflection of the carcass over σ: a
 /// standing wheel holds its place, and no force jumps at V = 0. The set-valued law of Coulomb on a
 /// torus is the limit of stiff carcass and tread (UnilateralCoulomb).
+///
+/// On a road z = h(x, y) that is not flat, n and r_o are those of the tangent plane at the point of
+/// the road that is nearest to r_c: (r_c − r_o)·∂r_o/∂x = (r_c − r_o)·∂r_o/∂y = 0. Since the gap is
+/// stationary there, its rate is that of the flat road.
 #pragma once
 #include <dynamy/system/external_force.hpp>
 #include <dynamy_elements/frame_pair.hpp>
+#include <dynamy_elements/signal_formulas.hpp>
 
 namespace dynamy {
 
@@ -31,6 +36,10 @@ class Tyre final : public ExternalForce {
   void describe(Description& d) const override;
 
  private:
+  /// The plane that the wheel rolls on, in the axes of I.
+  struct Road {
+    Vec3 n, r_o;
+  };
   /// Where wheel and road meet, in the axes of I.
   struct Meeting {
     Vec3 n, ex, ey;          ///< normal of the road, directions along and across the wheel
@@ -45,11 +54,14 @@ class Tyre final : public ExternalForce {
     double N = 0.0, Fx = 0.0, Fy = 0.0, trail = 0.0;  ///< [N], [m]
     double rate[2] = {0.0, 0.0};                      ///< [1/s]
   };
+  Vec3 crown(const Vec3& axle, const Vec3& n) const;
+  Road road(const Kinematics& k) const;
   Meeting meeting(const Kinematics& k) const;
   Forces forces(const Kinematics& k, const Meeting& m) const;
   double curve(double p) const;
   FramePair frames_;
   SystemHandle state_;
+  SignalFormulas height_;
   Vec3 axis_, normal_;
   double radius_, tube_, stiffness_, damping_, mu_;
   double longitudinal_, cornering_, camber_, slipDamping_, trail_;

@@ -83,6 +83,7 @@ struct Attribute {
   bool minOpen = false, maxOpen = false;  ///< true: the bound itself is not allowed
   bool nonZero = false;                   ///< a vector or number that must not vanish
   bool optionalValue = false;             ///< may be absent without a default; ask Parameters::has
+  bool code = false;                      ///< names a file whose code runs in this process
   std::vector<std::string> choices;
   std::string referenceKind;  ///< "system", "frame", "material", …
 
@@ -114,6 +115,12 @@ struct Attribute {
   /// May be absent although it has no default.
   Attribute& mayBeAbsent() {
     optionalValue = true;
+    return *this;
+  }
+  /// Names a file whose code runs in this process: a model may name one only in a folder that the
+  /// user trusts, as with plug-ins.
+  Attribute& runsCode() {
+    code = true;
     return *this;
   }
   bool mustBeGiven() const { return !defaultValue && !optionalValue; }

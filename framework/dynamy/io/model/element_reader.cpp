@@ -67,6 +67,19 @@ bool fits(const ChildRule& rule, const RegisteredType& type) {
   return rule.kind == type.kind && (rule.only.empty() || rule.only == type.name);
 }
 
+/// Throws ModelError unless the user trusts the folder of the file with code that `value` names.
+void requireTrust(const ParameterValue& value, const PluginLoader& plugins) {
+  try {
+    plugins.requireTrust(value.existingFile(), "file",
+                         "copy it to a folder that only you may write");
+  } catch (const ModelError& e) {
+    if (e.diagnostics().front().place.file.empty())
+      throw value.fault(e.diagnostics().front().text, e.diagnostics().front().hint, 0,
+                        value.text.size());
+    throw;
+  }
+}
+
 }  // namespace
 
 /// "it is an attribute: <RigidBody mass="…">" for a child <mass> of <RigidBody>; else "".
@@ -128,6 +141,8 @@ std::unique_ptr<Element> ElementReader::read(const XmlNode& node, const Scope& s
   good = readChildren(node, scope, type, x) && good;
   if (!good) return nullptr;
   try {
+    for (const ParameterValue& value : x.values)
+      if (value.given && value.declaration->code) requireTrust(value, *plugins_);
     return type.make(x);
   } catch (const ModelError& e) {
     faults_->add(e, scope, node);

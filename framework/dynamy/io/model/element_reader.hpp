@@ -7,9 +7,14 @@ namespace dynamy {
 
 class ElementReader {
  public:
+  /// `plugins` knows whose code may run.
   ElementReader(const Registry& registry, const NameTable& names, ModelSource& source,
-                Faults& faults)
-      : registry_(&registry), source_(&source), faults_(&faults), attributes_(faults, &names) {}
+                const PluginLoader& plugins, Faults& faults)
+      : registry_(&registry),
+        source_(&source),
+        plugins_(&plugins),
+        faults_(&faults),
+        attributes_(faults, &names) {}
 
   /// The element of `node`, or null if anything in it was wrong. `name`: its full name.
   std::unique_ptr<Element> read(const XmlNode& node, const Scope& scope, const RegisteredType& type,
@@ -29,6 +34,7 @@ class ElementReader {
   std::string asAttribute(const std::string& tag, const std::string& parent) const;
   const Registry* registry_;
   ModelSource* source_;
+  const PluginLoader* plugins_;
   Faults* faults_;
   AttributeReader attributes_;
 };

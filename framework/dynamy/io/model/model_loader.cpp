@@ -254,7 +254,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   // Elements, in the order of the file.
   Model model;
   NameTable names;
-  ElementReader reader(registry, names, source, faults);
+  ElementReader reader(registry, names, source, plugins, faults);
   Parts parts;
   std::set<const ModelItem*> good;
   for (const Placed& p : placeElements(source, reader, names, faults)) {

@@ -184,16 +184,19 @@ void PluginLoader::load(const std::string& library, const fs::path& modelFolder,
   const fs::path file = firstFile(tried);
   if (file.empty()) throwMissing(library, tried);
   if (isLoaded(fs::canonical(file))) return;
-  if (!isIn(own_, file) && !isIn(installed_, file)) requireTrust(file);
+  if (!isIn(own_, file) && !isIn(installed_, file))
+    requireTrust(file, "library",
+                 "name it: --plugin " + fs::absolute(file).lexically_normal().string());
   open(fs::canonical(file), false, registry);
 }
 
-void PluginLoader::requireTrust(const fs::path& file) const {
-  const fs::path folder = fs::canonical(file.parent_path());
+void PluginLoader::requireTrust(const fs::path& file, const std::string& what,
+                                const std::string& ifOwn) const {
+  const fs::path folder = fs::canonical(fs::absolute(file).parent_path());
   const fs::path list = readsConfiguration_ ? trustFile() : fs::path();
   const TrustedFolders configured = TrustedFolders::of(list);
   if (!trustsModels_ && !trusted_.holds(folder) && !configured.holds(folder)) {
-    Diagnostic d{.text = "the library " + (folder / file.filename()).string() +
+    Diagnostic d{.text = "the " + what + ' ' + (folder / file.filename()).string() +
                          " comes with the model; its code runs only if you trust it",
                  .hint = "add " + howToTrust_};
     if (!list.empty()) d.hint += ", or the line " + folder.string() + " to " + list.string();
@@ -202,9 +205,9 @@ void PluginLoader::requireTrust(const fs::path& file) const {
   }
   const std::string here = (folder / file.filename()).string();
   if (const std::string who = writableByOthers(here); !who.empty())
-    throw ModelError("the library " + here + " comes with the model, and " + who +
+    throw ModelError("the " + what + ' ' + here + " comes with the model, and " + who +
                          ", so that it may be anybody's",
-                     "if it is yours, name it: --plugin " + here);
+                     "if it is yours, " + ifOwn);
 }
 
 void PluginLoader::load(const Fingerprint& library, Registry& registry) {

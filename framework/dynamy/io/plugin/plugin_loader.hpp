@@ -64,6 +64,11 @@ class PluginLoader {
   /// fingerprints.
   void load(const Fingerprint& library, Registry& registry);
 
+  /// Throws ModelError unless the user trusts the folder of this existing file, whose code a model
+  /// wants to run. `what` it is in messages: "library"; `ifOwn`: the remedy where others may write.
+  void requireTrust(const std::filesystem::path& file, const std::string& what,
+                    const std::string& ifOwn) const;
+
   /// Names of the libraries in the user's folders that are not loaded, sorted.
   std::vector<std::string> available() const;
   /// Name of the library in the user's folders that probably has this type: the type begins with
@@ -80,7 +85,6 @@ class PluginLoader {
 
  private:
   bool isLoaded(const std::filesystem::path& file) const;
-  void requireTrust(const std::filesystem::path& file) const;
   void open(const std::filesystem::path& file, bool chosen, Registry& registry);
   std::vector<std::filesystem::path> own_, installed_;  // of DYNAMY_PLUGIN_PATH; of dynamY
   TrustedFolders trusted_;

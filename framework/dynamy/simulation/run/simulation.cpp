@@ -163,7 +163,7 @@ bool Simulation::start() {
     spare_.resize(kSpare);
     if (!resumed_) {
       report_.start = step_.start();
-      observers_.start(view(true));
+      observers_.start(step_.view(report_.steps + 1, true));
     }
     whole_ = true, step_.settle();
     if (checkpoints_.hasReceiver() && !resumed_)
@@ -180,7 +180,7 @@ void Simulation::end() {
   // A run resumed at its end takes no step, which would have evaluated the system.
   const bool stepped = step_.report().dt > 0.0, failed = report_.ended == RunReport::Ended::failed;
   if (failed || (resumed_ && !stepped)) system_.evaluate(step_.x());
-  observers_.finish(view(!failed && stepped));
+  observers_.finish(step_.view(report_.steps + 1, !failed && stepped));
   report_.t = t(), report_.cost.sleep.reason = sleep_.reason();
   observers_.sumUp();
 }
@@ -236,12 +236,13 @@ bool Simulation::accept() {
   const long evaluations = system_.evaluations();
   if (const RestChange woken = sleep_.woken(); !woken.systems.empty())
     observers_.woke(step_.before().t, woken);
-  observers_.step(view(true));
+  observers_.step(step_.view(report_.steps + 1, true));
   const bool fixed = !model_.scheme().choosesSteps() && model_.schemeIsDefault();
   if (fixed || step_.report().counts.stepped)
     observers_.slow(system_, step_.report(), step_.before(), step_.change());
   sleep_.settle(system_, step_.change(), step_.report().dt, report_.cost.sleep);
-  if (!sleep_.slept().systems.empty()) observers_.slept(view(true), sleep_.slept());
+  if (!sleep_.slept().systems.empty())
+    observers_.slept(step_.view(report_.steps + 1, true), sleep_.slept());
   report_.cost.evaluations += system_.evaluations() - evaluations;  // for dense output and trials
   if (State old; step_.renew(old)) observers_.bring(old, step_.x());
   if (report_.trust.diverged) return endBecause(divergence(model_, step_.x(), report_.trust));
@@ -252,7 +253,7 @@ void Simulation::reject() {
   if (!step_.report().solved.ok() && sound()) {
     unsolved_.note(report_.steps + 1, t(), step_.report(), !stopped());
     step_.undo();
-    observers_.failed(view(true));
+    observers_.failed(step_.view(report_.steps + 1, true));
   }
   step_.undo();
   ++report_.rejected;
@@ -303,6 +304,16 @@ void Simulation::resume(const std::string& checkpoint, std::optional<double> cha
   }
   checkpoints_.keep(changed ? archived() : checkpoint);
   resumed_ = true;
+}
+
+void Simulation::sampleAgain() {
+  State& x = step_.change();
+  for (const auto& force : model_.forces()) {
+    const MemoryHandle m = model_.topology().memories().of(*force);
+    if (m.size > 0 && model_.signal(force->name() + '.' + kNextSample) != nullptr)
+      x.memory.segment(m.first, m.size) = step_.before().memory.segment(m.first, m.size);
+  }
+  system_.remember(x);
 }
 
 std::string Simulation::archived() {

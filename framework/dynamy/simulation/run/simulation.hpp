@@ -74,6 +74,9 @@ class Simulation final : private Stepper {
   /// From now on a number that an element reserved has this value: what a controller outside of the
   /// model sets between two steps, also while observers see a step.
   void input(MemoryHandle m, double value) { step_.change().memory[m.first] = value; }
+  /// Blocks that sampled at the end of the last step sample there again, with the inputs of now:
+  /// what a controller outside sets at an instant of theirs counts at this instant.
+  void sampleAgain();
   const RunReport& report() const { return report_; }
   const State& state() const { return step_.x(); }
   /// Report of the step that was tried last; dt = 0: none yet.
@@ -104,8 +107,6 @@ class Simulation final : private Stepper {
   void guarded(Call&& call);
   bool next();
   void end();
-  /// The attempted step as observers see it.
-  StepView view(bool whole) { return step_.view(report_.steps + 1, whole); }
   bool endBecause(std::string reason, RunReport::Cause cause = RunReport::Cause::simulation);
   void outOfMemory() noexcept;
   bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }

@@ -121,5 +121,80 @@ TEST(Tyre, LeavesTheRoadWithoutForce) {
   EXPECT_EQ(bounce.signal(x, "tyre.load"), 0.0);
 }
 
+/// A wheel that rolls over a slope, of 3/10 along x and 1/10 along y, given by `road`.
+std::string onSlope(const std::string& road) {
+  return R"(<dynamy version="1"><systems><Ground name="road"/>
+    <RigidBody name="wheel" position="1 0.5 0.66" euler="-80deg 5deg 10deg" velocity="3 0.2 0.8"
+      angularVelocity="0 0 9" mass="20" inertia="0.6 0.6 1"/></systems>
+    <forces><Gravity/><Tyre name="tyre" between="wheel road" radius="0.3" tube="0.05" stiffness="1.5e5"
+      damping="300" trail="0.02" )" +
+         road + R"(/></forces><simulation until="0.5" tolerance="1e-11"/></dynamy>)";
+}
+
+TEST(Tyre, RollsOnASlopeGivenAsHeightAsOnOneThatLeans) {
+  BlockScene leans(onSlope(R"(normal="-0.3 -0.1 1")")),
+      height(onSlope(R"(height="0.3*x + 0.1*y")"));
+  const State a = leans.run(), b = height.run();
+  ASSERT_GT(leans.signal(a, "tyre.load"), 1.0);
+  // Both runs have the error of the tolerance, in some hundred steps.
+  EXPECT_LE((a.q - b.q).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LE((a.u - b.u).cwiseAbs().maxCoeff(), 1e-8);
+}
+
+/// What the tyre of a heavy wheel says at the start of a run on a road of this height.
+double deflectionOn(const std::string& height, const std::string& wheel,
+                    const std::string& tube = "0") {
+  BlockScene scene(R"(<dynamy version="1"><systems><Ground name="road"/>
+    <RigidBody name="wheel" )" +
+                   wheel + R"( mass="1e13" inertia="1e13 1e13 1e13"/></systems><forces>
+    <Tyre name="tyre" between="wheel road" radius="0.3" stiffness="1.5e5" tube=")" +
+                   tube + "\" height=\"" + height +
+                   R"("/></forces><simulation until="1e-9" tolerance="1e-8"/></dynamy>)");
+  return scene.signal(scene.run(), "tyre.deflection");
+}
+
+TEST(Tyre, FindsTheNearestPointOfARoundRoad) {
+  // In a valley of radius 2 m, and on a ridge of the same, the wheel's edge is 1 cm below the road.
+  const std::string valley = "2 - sqrt(4 - x^2)", ridge = "sqrt(4 - x^2) - 2";
+  for (const double angle : {-0.5, 0.0, 0.02, 0.9}) {
+    const auto wheel = [&](double distance, double centre) {
+      return R"(euler="-90deg 0 0" position=")" + numberText(distance * std::sin(angle)) + " 0 " +
+             numberText(centre - distance * std::cos(angle)) + "\"";
+    };
+    // Rounding of a few lengths of 2 m.
+    EXPECT_NEAR(deflectionOn(valley, wheel(2.0 - 0.29, 2.0)), 0.01, 1e-13) << angle;
+    EXPECT_NEAR(deflectionOn(ridge, wheel(-2.0 - 0.29, -2.0)), 0.01, 1e-13) << angle;
+  }
+  // In a bowl of radius 3 m round C, with a tube of 0.1 m on a wheel that leans: of the circle of
+  // radius r = 0.2 m about c the point c + r w⊥/|w⊥|, w = c − C, is the farthest from C.
+  const Vec3 c(0.9, -0.4, 0.47), w = c - Vec3(0.0, 0.0, 3.0);
+  const double lean = 0.3;
+  // The axle, z at first, turned about x by lean − π/2.
+  const Vec3 axle(0.0, std::cos(lean), std::sin(lean));
+  const double across = (w - w.dot(axle) * axle).norm(),
+               farthest = std::sqrt(w.squaredNorm() + 0.04 + 0.4 * across);
+  const std::string wheel =
+      R"(position="0.9 -0.4 0.47" euler=")" + numberText(lean - 0.5 * M_PI) + " 0 0\"";
+  EXPECT_NEAR(deflectionOn("3 - sqrt(9 - x^2 - y^2)", wheel, "0.1"), 0.1 - (3.0 - farthest), 1e-12);
+}
+
+TEST(Tyre, RollsOutAgainstAResistanceThatFollowsItsLoad) {
+  // (m + J/h²) a = −T/h with T = f R N and h the height of the axle; slips of f/15 are left out.
+  // Its large inertias about the other axes keep it from falling over.
+  const double m = 20.0, J = 1.0, h = 0.3 - m * 9.81 / 1.5e5, T = 0.02 * 0.3 * m * 9.81,
+               a = T / h / (m + J / (h * h));
+  const std::string scene = R"(<dynamy version="1"><systems><Ground name="road"/>
+    <RigidBody name="wheel" mass="20" inertia="1e4 1e4 1" euler="-90deg 0 0" velocity="1 0 0" position="0 0 )" +
+                            numberText(h) + R"(" angularVelocity="0 0 )" + numberText(1.0 / h) +
+                            R"("/></systems>
+    <forces><Gravity/><Tyre name="tyre" between="wheel road" radius="0.3" stiffness="1.5e5" damping="300"
+      slipDamping="10ms"/></forces>
+    <elements><JointFriction between="road wheel" axis="0 1 0" scale="0.02*0.3*tyre.load">
+      <GivenFriction force="1"/></JointFriction></elements><simulation tolerance="1e-9" until=")";
+  BlockScene rolls(scene + "2\"/></dynamy>"), stands(scene + "12\"/></dynamy>");
+  EXPECT_NEAR(rolls.run().u[0], 1.0 - 2.0 * a, 1e-3 * 2.0 * a);
+  EXPECT_NEAR(stands.run().u[0], 0.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace dynamy
