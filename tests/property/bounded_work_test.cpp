@@ -161,8 +161,9 @@ Eigen::VectorXd chain(int n, bool bounded, Corrected corrected) {
 }
 
 TEST(BoundedWork, LeavesFewContactsAndOtherSchemesExact) {
-  EXPECT_EQ(chain(199, false, Corrected::byGapsLoosely),
-            chain(199, true, Corrected::byGapsLoosely));
+  // Newton's method begins elsewhere; residuals of 1e-10 leave some 1e-9 of the percussions.
+  const Eigen::VectorXd few = chain(199, false, Corrected::byGapsLoosely);
+  EXPECT_LE((few - chain(199, true, Corrected::byGapsLoosely)).norm(), 1e-8 * few.norm());
   EXPECT_EQ(chain(200, false, Corrected::never),
             chain(200, true, Corrected::never));  // nobody corrects what is left
   EXPECT_EQ(chain(200, false, Corrected::byGaps),

@@ -216,7 +216,23 @@ bool Projection::close(const Evaluation& e) {
       e.mass.applyInverse({W_.col(column).data(), nu}, {MInvW_.col(column).data(), nu});
     }
   }
-  Eigen::MatrixXd G = W_.transpose() * MInvW_;
+  // Rows of a contact touch the velocities of its own bodies alone.
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(rows, rows);
+  column = 0;
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (contacts_.law[at] != &bilateral_) continue;
+    const int dim = contacts_.dim(i);
+    for (int k = contacts_.segment0[at]; k < contacts_.segment0[at + 1]; ++k) {
+      const Segment& segment = contacts_.segment[static_cast<std::size_t>(k)];
+      const double* w = contacts_.W.data() + segment.w;
+      const Eigen::Map<const Eigen::MatrixXd> own(w, segment.nu, dim);
+      for (int c = 0; c < rows; ++c)
+        for (int r = 0; r < dim; ++r)
+          G(column + r, c) += own.col(r).dot(MInvW_.col(c).segment(segment.u0, segment.nu));
+    }
+    column += dim;
+  }
   G.diagonal().array() += kRedundantRow * G.diagonal().maxCoeff();
   delta_ = MInvW_ * -G.ldlt().solve(g);
   return true;

@@ -14,11 +14,15 @@ struct Outermost {
   double separation = -std::numeric_limits<double>::infinity();
   int edge = 0;
   Outermost(const PlacedPolygon& of, const PlacedPolygon& other) {
+    Vec3 o = of.corner(0);
     for (int i = 0; i < of.size(); ++i) {
-      const Vec3 n = of.normal(i), o = of.corner(i);
-      double s = std::numeric_limits<double>::infinity();
-      for (int k = 0; k < other.size(); ++k) s = std::min(s, n.dot(other.corner(k) - o));
+      const Vec3 next = of.corner(i + 1), n = (next - o).cross(of.plane).normalized();
+      const Vec3 n_K = other.frame->A_IK.transpose() * n;
+      double lowest = std::numeric_limits<double>::infinity();
+      for (const Vec3& corner_K : *other.corners_K) lowest = std::min(lowest, n_K.dot(corner_K));
+      const double s = n.dot(other.frame->r_OS_I - o) + lowest;
       if (s > separation) separation = s, edge = i;
+      o = next;
     }
   }
 };

@@ -13,6 +13,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <dynamy/solver/newton/block_products.hpp>
 #include <utility>
 #include <vector>
 
@@ -128,6 +129,7 @@ class BlockLu {
   std::vector<Lane> pairs_;
   std::vector<int> place_;
   std::vector<Vector> work_;
+  SubtractProducts subtract_ = productLevels().back();
   long analyses_ = 0;
 };
 
@@ -220,9 +222,14 @@ bool BlockLu<B>::factor() {
       for (int c = 0; c < B; ++c)
         for (int k = 0; k < B; ++k) K[c * B + k] = Lane(U_[e](k, c), L_[e](c, k));
       const Lane* from = pairs_.data() + (static_cast<std::ptrdiff_t>(e) + 1) * B * B;
-      for (int f = e + 1; f < end; ++f, from += B * B)
-        subtractProduct<B>(pairs_.data() + static_cast<std::ptrdiff_t>(place_[below_[f]]) * B * B,
-                           from, K);
+      if constexpr (B == 6) {
+        subtract_(pairs_.data()->data(), place_.data(), below_.data() + e + 1, end - e - 1,
+                  from->data(), K->data());
+      } else {
+        for (int f = e + 1; f < end; ++f, from += B * B)
+          subtractProduct<B>(pairs_.data() + static_cast<std::ptrdiff_t>(place_[below_[f]]) * B * B,
+                             from, K);
+      }
     }
     if (!invert<B>(D_[m]) || !D_[m].allFinite()) return false;
     for (int e = start_[m]; e < start_[m + 1]; ++e) {
