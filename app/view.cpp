@@ -45,6 +45,7 @@ int view(const ViewOptions& options) {
       throw CLI::ValidationError("--size", "expects WIDTHxHEIGHT in pixels, is " + options.size);
     choice.width -= choice.width % 2, choice.height -= choice.height % 2;
     writeVideo(folder.replay(), choice);
+    if (!options.other.empty()) writeReplay(folder.path());  // a film leaves the page of the run
     fmt::print("{}\n", std::filesystem::absolute(choice.file).lexically_normal().string());
     return kOk;
   }

@@ -1,9 +1,12 @@
 /// Python classes Model and State. A model is made from a file, from text, or element by element.
+#include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <dynamy/simulation/run/simulation.hpp>
+#include <sstream>
+#include <variant>
 
 #include "library.hpp"
 
@@ -153,11 +156,25 @@ void bindModel(py::module_& m) {
           "Sample time of signals [s]; 0: 1000 samples.")
       .def_property(
           "record", [](const Model& x) { return x.record.signals; },
-          [](Model& x, std::vector<std::string> names) {
+          [](Model& x, const std::variant<std::string, std::vector<std::string>>& wanted) {
+            std::vector<std::string> names;
+            if (const auto* text = std::get_if<std::string>(&wanted)) {
+              std::istringstream words(*text);
+              for (std::string word; words >> word;) names.push_back(word);
+            } else {
+              names = std::get<std::vector<std::string>>(wanted);
+            }
             x.record.places.assign(names.size(), Place());
             x.record.signals = std::move(names);
           },
-          "Names of the signals that runs record; empty: all of systems.")
+          "Names of the signals that runs record, as a list or with blanks between; empty: all of "
+          "systems.")
+      .def("__repr__",
+           [](const Model& x) {
+             return fmt::format("<dynamy.Model{}: {} systems, {} forces, {} contact elements>",
+                                x.title.empty() ? "" : " \"" + x.title + '"', x.systems().size(),
+                                x.forces().size(), x.contacts().size());
+           })
       .def_readwrite("title", &Model::title)
       .def_property_readonly("signals", &signalNames, "Names of all signals.")
       .def_property_readonly("length", &Model::length, "Length of the scene [m].")

@@ -196,6 +196,12 @@ void checkVideo(const VideoChoice& choice) {
 
 void writeVideo(const fs::path& replay, const VideoChoice& choice) {
   const std::string ending = endingOf(choice);
+  // Now, and not after minutes.
+  if (const fs::path folder = fs::path(choice.file).parent_path(); !folder.empty()) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw WriteError(folder.string(), "cannot create the folder: " + error.message());
+  }
   Browser browser(choice.width, choice.height);
   openReplay(browser, replay, choice.look);
   const int count = begin(browser, choice);

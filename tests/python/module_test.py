@@ -95,6 +95,15 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(dynamy.ModelError, "part of a model already"):
             model.add(ball)
 
+    def test_a_run_takes_its_settings_and_a_text_names_signals(self):
+        model = dynamy.load(str(SOURCE / "models" / "woodpecker.xml"))
+        model.record = "toy.y toy.phiM"
+        self.assertEqual(model.record, ["toy.y", "toy.phiM"])
+        self.assertRegex(repr(model), r"^<dynamy\.Model.*: \d+ systems, \d+ forces")
+        run = model.run(until=0.1, tolerance=1e-6)
+        self.assertEqual((model.until, model.tolerance), (0.1, 1e-6))
+        self.assertLess(abs(run.t[-1] - 0.1), 1e-12)
+
     def test_a_tolerance_takes_the_place_of_a_step(self):
         model = dynamy.load(str(SOURCE / "models" / "woodpecker.xml"))
         self.assertEqual((model.scheme, model.tolerance), ("LocatedDormandPrince", 1e-6))

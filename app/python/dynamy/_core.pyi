@@ -44,6 +44,10 @@ class Model:
         each: Optional[Callable[[Moment], Optional[bool]]] = None,
         out: _File = "",
         every: float = 0.0,
+        *,
+        until: Optional[float] = None,
+        step: Optional[float] = None,
+        tolerance: Optional[float] = None,
     ) -> Run: ...
     @property
     def signals(self) -> List[str]: ...

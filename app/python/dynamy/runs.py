@@ -86,8 +86,12 @@ class Run(dynamy_run.Run):
 
 
 def run(model: _core.Model, each: Optional[Callable[[_core.Moment], Optional[bool]]] = None,
-        out: Union[str, "os.PathLike[str]"] = "", every: float = 0.0) -> Run:
+        out: Union[str, "os.PathLike[str]"] = "", every: float = 0.0, *,
+        until: Optional[float] = None, step: Optional[float] = None,
+        tolerance: Optional[float] = None) -> Run:
     """Runs a built model from its initial state.
+
+    until, step and tolerance set those of the model, from now on.
 
     each(now) is called after every step with now.t, now.q, now.u, now["cart.x"],
     and now["motor"] = 3.0 for an <Input>; False ends the run. With every=T it is called at 0, T,
@@ -104,6 +108,9 @@ def run(model: _core.Model, each: Optional[Callable[[_core.Moment], Optional[boo
         raise ValueError(f"every is a time between two calls [s], not {every!r}")
     if every and each is None:
         raise TypeError("every is the time between two calls of each, which is not given")
+    for name, value in (("until", until), ("step", step), ("tolerance", tolerance)):
+        if value is not None:
+            setattr(model, name, value)
     if os.fspath(out):
         return Run(out, _core._run_into(model, each, every, os.fspath(out), True))
     with tempfile.TemporaryDirectory(prefix="dynamy") as folder:

@@ -118,7 +118,7 @@ export class FilmStudio {
     }
     const {begin, end} = this.replay;
     const from = Math.max(choice.from ?? begin, begin), to = Math.min(choice.to ?? end, end);
-    const slower = choice.slower ?? Number((document.getElementById("speed") as HTMLSelectElement).value);
+    const slower = choice.slower ?? 1 / Number((document.getElementById("speed") as HTMLSelectElement).value);
     this.film = new FilmFile(this.replay, {...choice, from, to, slower});
     return this.film.count;
   }

@@ -138,7 +138,7 @@ export class EventList {
     const listed = this.listed();
     [...this.bar.children].forEach((button, i) => {
       button.textContent = `${kKinds[i]} ${listed.filter(e => this.kindOf(e, kKinds[i])).length}`;
-      button.classList.toggle("on", kKinds[i] === this.kind);
+      turned(button, kKinds[i] === this.kind);
     });
     this.fillNote();
     this.events = listed.filter(e => this.kindOf(e, this.kind));
@@ -194,10 +194,23 @@ export class EventList {
         element("span", e.impact ? `${shortNumber(e.speed)} m/s, ${shortNumber(e.impulse)} N s` : e.system ? e.system :
           `${e.from} → ${e.to}`, "k"));
       row.title = e.impact ? `impact on ${e.contact} at ${shortNumber(e.speed)} m/s with ${shortNumber(e.impulse)} N s` : e.contact;
+      row.tabIndex = 0;
+      row.setAttribute("role", "button");
       row.onclick = () => this.seek(e.t);
+      row.onkeydown = key => {
+        if (key.key !== "Enter") return;
+        key.stopPropagation();
+        this.seek(e.t);
+      };
       return row;
     }));
   }
+}
+
+/** Shows that a button is pressed or not, to eyes and to screen readers. */
+export function turned(button: Element | null, on: boolean): void {
+  button?.classList.toggle("on", on);
+  button?.setAttribute("aria-pressed", String(on));
 }
 
 /** The model with numbered lines. */

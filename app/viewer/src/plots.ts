@@ -20,6 +20,11 @@ export function panelsOf(signals: {name: string; unit: string; t: Float64Array; 
   return panels;
 }
 
+/** Names of the numbers that a signal `status` has, in the order of the program. */
+const kStatuses = ["open", "separating", "stick", "slip", "lower", "upper", "locked"];
+const isStatus = (c: Curve): boolean => c.name.endsWith(".status");
+const valueText = (c: Curve, v: number): string => (isStatus(c) && kStatuses[v]) || shortNumber(v);
+
 interface Shown { plot: uPlot; panel: PlotPanel; values: HTMLElement[]; line: HTMLElement }
 
 const kFont = "11px system-ui, 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif";
@@ -162,6 +167,8 @@ export class Plots {
   private options(panel: PlotPanel, width: number): uPlot.Options {
     const axis = {font: kFont, stroke: theme.soft, grid: {stroke: theme.grid, width: 1}, ticks: {show: false}};
     const label = (v: number | null): string => v === null ? "" : shortNumber(v);
+    const statuses = panel.curves.every(isStatus);
+    const name = (v: number): string => statuses ? kStatuses[v] ?? "" : label(v);
     return {
       width, height: panel.height ?? 138, padding: [6, 14, 0, 0], legend: {show: false},
       cursor: {y: false, points: {show: false}, drag: {x: true, y: false, dist: 6},
@@ -169,7 +176,7 @@ export class Plots {
       scales: {x: {time: false, min: this.begin, max: this.end > this.begin ? this.end : this.begin + 1},
         y: panel.log ? {distr: 3} : {range: (_u, lo, hi) => padded(lo, hi)}},
       axes: [{...axis, size: 26, gap: 4, values: (_u, all) => all.map(label)},
-        {...axis, size: 58, gap: 4, values: (_u, all) => all.map(label), space: panel.log ? 18 : 24}],
+        {...axis, size: 58, gap: 4, values: (_u, all) => all.map(name), space: panel.log ? 18 : 24}],
       series: [{}, ...panel.curves.map((c, k): uPlot.Series => ({
         stroke: curveColour(c.colour ?? k), width: 1.5, spanGaps: true, points: {show: false}, dash: c.dashed ? [5, 4] : undefined}))],
       hooks: {
@@ -207,7 +214,7 @@ export class Plots {
       line.hidden = !(x >= -1 && x <= plot.over.clientWidth + 1);
       line.style.transform = `translateX(${Math.round(x)}px)`;
       panel.curves.forEach((c, k) => {
-        values[k].textContent = shortNumber(c.t.length ? c.y[lastAtOrBefore(c.t, t)] : NaN);
+        values[k].textContent = valueText(c, c.t.length ? c.y[lastAtOrBefore(c.t, t)] : NaN);
       });
     }
   }

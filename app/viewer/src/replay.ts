@@ -10,7 +10,7 @@ import {FilmStudio, saveFilm} from "./film_file";
 import {kKeys, kPauseIcon, kPlayIcon, kSpeeds, kThemeIcon, kViews} from "./labels";
 import {clamp, shortNumber} from "./math";
 import type {OtherRun} from "./other_run";
-import {checksOf, element, EventList, headline, ledgerPanels, modelText, tableOf} from "./panels";
+import {checksOf, element, EventList, headline, ledgerPanels, modelText, tableOf, turned} from "./panels";
 import {panelsOf, Plots} from "./plots";
 import {spanOf} from "./film";
 import {SceneModel} from "./scene_model";
@@ -190,8 +190,10 @@ export class Replay {
     if (this.tab === "plots") this.plots.draw(this.t);
     if (this.tab === "energy") this.energy.draw(this.t);
     if (this.tab === "events") this.list.show(this.t);
-    byId<HTMLInputElement>("scrub").value = String(this.end > this.begin ? (this.t - this.begin) / (this.end - this.begin) : 0);
+    const scrub = byId<HTMLInputElement>("scrub");
+    scrub.value = String(this.end > this.begin ? (this.t - this.begin) / (this.end - this.begin) : 0);
     const digits = clamp(4 - Math.floor(Math.log10(this.end - this.begin || 1)), 0, 9);
+    scrub.setAttribute("aria-valuetext", `${this.t.toFixed(digits)} s of ${this.end.toFixed(digits - 1)} s`);
     byId("clock").replaceChildren(this.t.toFixed(digits), element("small", ` / ${this.end.toFixed(digits - 1)} s`));
     this.fillCard();
     this.tools.show(this.t);
@@ -222,14 +224,14 @@ export class Replay {
   setView(view: string): void {
     this.stage.setView(view in kViews ? view : "iso");
     for (const button of byId("views").children) {
-      button.classList.toggle("on", (button as HTMLElement).dataset.view === this.stage.camera.view);
+      turned(button, (button as HTMLElement).dataset.view === this.stage.camera.view);
     }
     this.draw();
   }
 
   setSwitch(name: "contacts" | "trails", on: boolean): void {
     this.stage.show[name] = on;
-    byId("switches").querySelector(`[data-name=${name}]`)?.classList.toggle("on", on);
+    turned(byId("switches").querySelector(`[data-name=${name}]`), on);
     byId("legend").hidden = !(this.stage.show.contacts && (this.grows || this.film.contactCount));
     this.draw();
   }
@@ -239,7 +241,7 @@ export class Replay {
     const {stage} = this, named = this.scene.follow ?? this.film.firstMoving();
     stage.follow(on ? (stage.selected >= 0 ? stage.selected : named) : -1, this.t);
     if (stage.selected < 0) stage.fit();
-    byId("switches").querySelector("[data-name=follow]")?.classList.toggle("on", stage.followed >= 0);
+    turned(byId("switches").querySelector("[data-name=follow]"), stage.followed >= 0);
     this.draw();
   }
 
@@ -441,7 +443,7 @@ export class Replay {
     this.named = {b: names, m: measure, o: other, w: beside};
     button("switches", "follow", "the camera goes with what is selected (f)",
       () => this.setFollow(this.stage.followed < 0)).dataset.name = "follow";
-    byId("switches").querySelector("[data-name=follow]")?.classList.toggle("on", this.stage.followed >= 0);
+    turned(byId("switches").querySelector("[data-name=follow]"), this.stage.followed >= 0);
     for (const name of ["contacts", "trails"] as const) this.setSwitch(name, this.stage.show[name]);
   }
 
@@ -467,8 +469,7 @@ export class Replay {
   }
 
   private pressed(name: string, on: boolean): void {
-    this.named[name].classList.toggle("on", on);
-    this.named[name].setAttribute("aria-pressed", String(on));
+    turned(this.named[name], on);
   }
 
   private key(event: KeyboardEvent): void {

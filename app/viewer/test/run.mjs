@@ -71,6 +71,12 @@ async function controls(file) {
   const start = await t();
   expect(Math.abs(start - 0.05) < 1e-9, "the address sets the time");
   await page.keyboard.press("ArrowRight");
+  // A film is as slow as the page: a tenth of the speed, 25 pictures a second, 0.1 s.
+  const pictures = await page.evaluate(() => {
+    document.getElementById("speed").value = "0.1";
+    return window.replay.studio.begin({fps: 25, from: 0, to: 0.1});
+  });
+  expect(Math.abs(pictures - 25) <= 1, `a film of a tenth of the speed: ${pictures} pictures`);
   const stepped = await t();
   expect(stepped > start && stepped < start + 0.02, "arrow right: the next frame");
   await page.keyboard.press("ArrowLeft");

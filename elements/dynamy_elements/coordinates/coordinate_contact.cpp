@@ -17,6 +17,14 @@ void CoordinateContact::declare(Attributes& a) {
         "slip directions of t and q: one component per coordinate, directions separated by |");
   a.add(AttributeType::expressions, "slipVelocity", "",
         "slip velocities instead of directions: formulas affine in the velocities [m/s]");
+  a.add(AttributeType::expressions, "drawnAt", "",
+        "place in the world where its force is drawn and recorded, x; y; z, formulas of t and "
+        "positions [m]; default: it has no place");
+  a.vector("drawnNormal", Unit::none, 3, "0 0 1",
+           "direction of the force on the system where the gap presses it, at that place")
+      .notZero();
+  a.vector("drawnAlong", Unit::none, 3, "0 0 0",
+           "direction of the first slip there; default: any across");
   ReservoirSwitch::declare(a, "t, positions, velocities and signals");
   a.child(Kind::law, 0, 1, "law of the contact; default: Unilateral with epsilonN = 0");
   a.example(
@@ -30,8 +38,18 @@ CoordinateContact::CoordinateContact(const Parameters& x)
       gapText_(x, "gap"),
       slipText_(x, "slip"),
       slipVelocityText_(x, "slipVelocity"),
+      placeText_(x, "drawnAt"),
       law_(x.takeOne<SetValuedForceLaw>()),
-      switch_(x) {
+      switch_(x),
+      normal_(x["drawnNormal"].vec3().normalized()),
+      along_(x["drawnAlong"].vec3()) {
+  along_ -= normal_.dot(along_) * normal_;
+  if (along_.norm() > 1e-6 * x["drawnAlong"].vec3().norm())
+    along_.normalize();
+  else
+    along_ = normal_.unitOrthogonal();
+  if (!placeText_.empty() && placeText_.size() != 3)
+    throw ModelError(placeText_.fault(-1, "expects three formulas, x; y; z"));
   if (!law_) law_ = std::make_unique<Unilateral>(0.0);
   names_.parameters = x.symbols;
   if (!slipText_.empty() && !slipVelocityText_.empty())
@@ -108,6 +126,10 @@ void CoordinateContact::compile() {
         -1, "expects " + std::to_string(names_.n()) + " components for each slip direction",
         "directions are separated by |"));
   faults.throwIfAny();
+  ExpressionCompiler place(names_.symbols());
+  placeText_.compileAll(place, faults);
+  faults.throwIfAny();
+  if (!placeText_.empty()) place_ = std::make_unique<Tape>(place.finish(), names_);
   if (!gapText_.empty()) gap_ = std::make_unique<Tape>(gap.finish(), names_);
   if (!rows.empty()) slip_ = std::make_unique<Tape>(slip.finish(), names_);
 
@@ -147,6 +169,10 @@ void CoordinateContact::contacts(const Kinematics& k, ContactSink& sink) const {
   const int first = gap_ ? 1 : 0;
   if (gap_ && out.dim() > 0) gapRow(x_.data(), out, W);
   if (slip_ && out.dim() > first) slipRows(x_.data(), first, out, W);
+  if (place_) {
+    const double* at = place_->eval(x_.data());
+    out.place({at[0], at[1], at[2]}, normal_, along_, normal_.cross(along_));
+  }
   const double* bias = own_.carry(k, moving);
   for (int r = 0; bias && out.wantsBias() && r < out.dim(); ++r) out.bias(r) += bias[r];
 }

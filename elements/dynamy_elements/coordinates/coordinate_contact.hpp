@@ -38,14 +38,15 @@ class CoordinateContact final : public NonSmoothElement {
   bool directions() const { return slipVelocityText_.empty(); }
 
   std::string on_;
-  FormulaText gapText_, slipText_, slipVelocityText_;
+  FormulaText gapText_, slipText_, slipVelocityText_, placeText_;
   int tangents_ = 0;
   std::unique_ptr<SetValuedForceLaw> law_;
   ReservoirSwitch switch_;
   FormulaNames names_;
   OwnCoordinates own_;
   std::vector<int> q_, u_;
-  std::unique_ptr<Tape> gap_, slip_;
+  std::unique_ptr<Tape> gap_, slip_, place_;
+  Vec3 normal_, along_;                // drawn directions of the first two rows, in I
   mutable std::vector<double> x_, w_;  // (t, q, u) and the direction (1, u, 0)
 };
 

@@ -59,6 +59,8 @@ JointStop::JointStop(const Parameters& x)
       upper_(x.has("upper") ? double(x["upper"]) : kInfinity),
       law_(x.takeOne<SetValuedForceLaw>()) {
   if (!law_) law_ = std::make_unique<Unilateral>(0.0);
+  for (const char* name : {"lower", "upper"})
+    if (x.has(name) && x["coordinate"].text == "angle") refuseDegrees(x[name]);
   if (!std::isfinite(lower_) && !std::isfinite(upper_))
     throw ModelError("neither lower nor upper is given", "a stop has at least one of them");
   if (!(lower_ <= upper_))

@@ -97,6 +97,15 @@ Vec3 CoordinateRow::place(const Kinematics& k) const {
 
 // ---- JointCoordinate ---------------------------------------------------------------------------
 
+void refuseDegrees(const ParameterValue& angle) {
+  const std::string& text = angle.text;
+  const bool unit = text.find_first_not_of("0123456789+-.eE ") != std::string::npos;
+  if (!angle.given || unit || !(std::abs(double(angle)) > 2.0 * std::numbers::pi)) return;
+  throw angle.fault(angle.declaration->name + " is in radians and turns more than once around",
+                    text + "deg is an angle in degrees, " + text + "rad one of several turns", 0,
+                    text.size());
+}
+
 void JointCoordinate::declare(Attributes& a) {
   FramePair::declare(a);
   a.choice("coordinate", {"angle", "displacement"}, "angle",
@@ -123,6 +132,7 @@ JointCoordinate::JointCoordinate(const Parameters& x)
       reference_(x["reference"].vec3()),
       start_(x["start"]) {
   if (atGiven_) at_ = x["at"].vec3();
+  if (angle_) refuseDegrees(x["start"]);
 }
 
 bool JointCoordinate::isMirrored(const MirrorPlane& plane, const Element& owner) const {

@@ -65,6 +65,10 @@ class CoordinateRow {
 
 /// The coordinate of an element with attributes `between`, `coordinate`, `at`, `axis`, `reference`,
 /// `start`.
+/// Throws ModelError for an angle of more than a turn that is written without a unit: it was
+/// probably meant in degrees.
+void refuseDegrees(const ParameterValue& angle);
+
 class JointCoordinate {
  public:
   static void declare(Attributes& a);

@@ -6,6 +6,7 @@
 #include <dynamy/core/rotation.hpp>
 #include <dynamy/law/most_rows.hpp>
 #include <dynamy_elements/joints/joint.hpp>
+#include <dynamy_elements/joints/joint_coordinate.hpp>
 
 namespace dynamy {
 
@@ -46,7 +47,10 @@ Joint::Joint(const Parameters& x)
   atGiven_ = hasAt && x.has("at");
   if (atGiven_) at_ = x["at"].vec3();
   if (x.declaration->find("axis") != nullptr) axis_ = x["axis"].vec3();
-  if (x.declaration->find("start") != nullptr) start_ = x["start"];
+  if (x.declaration->find("start") != nullptr) {
+    start_ = x["start"];
+    if (x["start"].declaration->unit == Unit::angle) refuseDegrees(x["start"]);
+  }
   if (x.declaration->find("rotor") != nullptr) rotor_ = x["rotor"];
 }
 

@@ -87,7 +87,7 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
 
 constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   // Contact.
-  {"friction frictioncoefficient coefficientoffriction mu1 slidingfriction staticfriction lateralfriction mus frictionstatic", "mu",
+  {"friction µ μ frictioncoefficient coefficientoffriction mu1 slidingfriction staticfriction lateralfriction mus frictionstatic", "mu",
    "the coefficient of friction is {}", "friction belongs to the law of two materials: <UnilateralCoulomb mu=\"…\">"},
   {"mustatic mu0 mus2 frictioncoefficientstatic", "mu",
    "the coefficient of friction is {}; one that weakens while slipping is <UnilateralStribeck mu=\"…\" kineticMu=\"…\">"},
@@ -100,7 +100,8 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"spinningfriction torsionalfriction", "drilling", "friction about the normal is {}, an arm in m", "friction about the normal is <UnilateralRolling drilling=\"…\">"},
   // Place and axes.
   {"pos translation origin location place xyz center centre coordinates r0", "position at point", "the place is {}"},
-  {"anchor pivot jointorigin attachment", "at point pointA", "the place of a joint is {}"},
+  {"anchor pivot jointorigin attachment point position", "at pointA", "the place of a joint is {}"},
+  {"anchor pivot jointorigin attachment", "point", "the place of a joint is {}"},
   {"pivotina pivotinb pivota pivotb pointa pointb anchora anchorb frame1point frame2point localanchora localanchorb", "at",
    "a joint has one place for both bodies, in the world at the start: {}"},
   {"armature rotorinertia reflectedinertia", "rotor", "the inertia of a rotor is {}"},
@@ -119,7 +120,7 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"com cog centerofmass centreofmass masscenter", "", "", "where mass and inertia are given, position=\"…\" is the centre of mass; else it follows from the shapes inside of the body"},
   // Sizes.
   {"diameter", "radius", "half of the diameter is {}"},
-  {"r", "radius", "the radius is {}"},
+  {"r size", "radius", "the radius is {}"},
   {"halfextents halfsize halflengths halfwidths", "size semiAxes", "the size is {}, whole edges and not half ones"},
   {"extents dimensions dims edges lengths sides scale", "size semiAxes", "the size is {}"},
   {"width depth lx ly lz xlength ylength zlength dx dy dz", "size", "the three edges stand in one attribute: {}"},
@@ -174,9 +175,10 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"dof dofs freedom", "", "", "a <RigidBody> has six degrees of freedom, a <PlanarBody> three; joints remove some"},
   // Names.
   {"id label tag", "name", "the name is {}"},
-  {"color rgba colorrgba diffuse", "colour", "the colour is {}"},
+  {"color colour rgba colorrgba diffuse", "colour", "the colour is {}", "a colour belongs to a shape: <Sphere colour=\"…\">"},
+  {"material surface", "material", "the material is {}", "a material belongs to a shape: <Sphere material=\"…\">"},
   {"name file filename path url uri src", "library", "the library is {}"},
-  {"file filename path url uri src", "file", "the file is {}",
+  {"file filename path url uri src href", "file", "the file is {}",
    "files of shapes are read by <Mesh file=\"…\"> and, as their hull, by <Polyhedron file=\"…\">"},
   {"default expr val", "value", "the value is {}"},
   {"n number times copies", "count", "the count is {}"},

@@ -140,7 +140,9 @@ TEST(OtherWords, AnAttributeIsThatOfTheElementAtHand) {
   EXPECT_EQ(attributeOfOthers("friction", sphere).hint,
             "in dynamY friction belongs to the law of two materials: "
             "<UnilateralCoulomb mu=\"…\">");
-  EXPECT_EQ(attributeOfOthers("colour", law).hint, "");
+  EXPECT_EQ(attributeOfOthers("colour", law).hint,
+            "in dynamY a colour belongs to a shape: <Sphere colour=\"…\">");
+  EXPECT_EQ(attributeOfOthers("shininess", law).hint, "");
 }
 
 }  // namespace

@@ -86,6 +86,22 @@ TEST(CoordinateContact, SlipVelocityGivesTheSameRowAndTheBeltSpeed) {
   EXPECT_NEAR(e.set.bias[1], -std::sin(0.8) * 2.4 * 2.4 - 3.0, 1e-14);
 }
 
+TEST(CoordinateContact, IsDrawnWhereItsFormulasSay) {
+  Evaluated e(kTwo,
+              {{"gap", "x"},
+               {"slip", "1; cos(phi)"},
+               {"drawnAt", "x; 0; 2 + l*sin(phi)"},
+               {"drawnNormal", "0 0 2"},
+               {"drawnAlong", "1 0 5"}},
+              coulomb(), {{"l", 0.7}});
+  e.at(0.0, kTwoQ, kTwoU);
+  EXPECT_LT((e.set.places.point[0] - Vec3(0.3, 0.0, 2.0 + 0.7 * std::sin(0.8))).norm(), 1e-15);
+  EXPECT_EQ(e.set.places.normal[0], Vec3::UnitZ());
+  EXPECT_LT((e.set.places.t1[0] - Vec3::UnitX()).norm(), 1e-15);  // across the normal
+  EXPECT_LT((e.set.places.t2[0] - Vec3::UnitY()).norm(), 1e-15);
+  EXPECT_THROW(Evaluated(kTwo, {{"gap", "x"}, {"drawnAt", "x; 0"}}, nullptr), ModelError);
+}
+
 TEST(CoordinateContact, OpenContactLeavesOnlyItsGap) {
   Evaluated e(kTwo, {{"gap", "x + 1e10"}}, nullptr);
   e.at(0.0, kTwoQ, kTwoU);
