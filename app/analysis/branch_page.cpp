@@ -15,7 +15,7 @@ namespace dynamy::app {
 namespace {
 
 constexpr double kBranchWidth = 760.0, kBranchHeight = 380.0;
-constexpr double kPlotLeft = 84.0, kPlotRight = 744.0, kPlotTop = 34.0, kPlotBottom = 332.0;
+constexpr double kPlotLeft = 84.0, kPlotRight = 736.0, kPlotTop = 34.0, kPlotBottom = 332.0;
 constexpr double kMargin = 0.05;  ///< of the range of values, above and below
 
 /// Colour of a mark by what happens there.

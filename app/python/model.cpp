@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <dynamy/core/other_words.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
 #include <sstream>
 #include <variant>
@@ -32,7 +33,9 @@ Made makeElement(const std::string& type, const std::string& name,
   if (found == nullptr) {
     std::vector<std::string> known;
     for (const RegisteredType* t : registry.types()) known.push_back(t->name);
-    throw ModelError("there is no type \"" + type + '"', unknownNameHint(type, known));
+    const std::string meant = elementOfOthers(type);
+    throw ModelError("there is no type \"" + type + '"',
+                     meant.empty() ? unknownNameHint(type, known) : meant);
   }
   Parameters x = Parameters::of(found->attributes, type, name, givenValues(values));
   for (Made* child : children) {

@@ -16,14 +16,23 @@ const factText = (x: unknown): string =>
 
 /** The members of an object as rows; text is set as text, never as HTML. Lists of objects are left
  *  to those who read run.json. */
+/** What members of run.json are called where their names say it badly. */
+const kMemberNames: Record<string, string> = {
+  gTol: "gap of closed contacts [m]", inBodies: "joints within bodies", flat: "bodies kept in a plane", rowsSaved: "rows saved",
+  of: "of all joints", every: "signals every [s]", until: "until [s]", step: "step [s]", framesPerSecond: "frames per second"
+};
+
+/** Members that say nothing: texts without letters, and what a run with steps of given length has no use for. */
+const saysNothing = (name: string, x: unknown): boolean => x === "" || ((name === "tolerance" || name === "step") && x === 0);
+
 export function tableOf(object: Record<string, unknown>): HTMLTableElement {
   const table = element("table");
   const addRows = (members: Record<string, unknown>, depth: number): void => {
     for (const [name, x] of Object.entries(members)) {
       const list = Array.isArray(x) ? x : null;
-      if (list && list.some(e => e !== null && typeof e === "object")) continue;
+      if (saysNothing(name, x) || (list && list.some(e => e !== null && typeof e === "object"))) continue;
       const row = table.insertRow(), cell = row.insertCell();
-      cell.textContent = name.replace(/_/g, " ").replace(/([a-z])([A-Z])/g, "$1 $2").toLowerCase();
+      cell.textContent = kMemberNames[name] ?? name.replace(/_/g, " ").replace(/([a-z])([A-Z])/g, "$1 $2").toLowerCase();
       cell.style.paddingLeft = `${14 * depth}px`;
       if (x !== null && typeof x === "object" && !list) {
         cell.colSpan = 2;

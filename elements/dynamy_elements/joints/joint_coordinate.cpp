@@ -100,7 +100,10 @@ Vec3 CoordinateRow::place(const Kinematics& k) const {
 void refuseDegrees(const ParameterValue& angle) {
   const std::string& text = angle.text;
   const bool unit = text.find_first_not_of("0123456789+-.eE ") != std::string::npos;
-  if (!angle.given || unit || !(std::abs(double(angle)) > 2.0 * std::numbers::pi)) return;
+  constexpr double kMost =
+      3.0 * std::numbers::pi;  // one and a half turns: below all of 10, 15, 20 …
+  const bool ofFile = static_cast<bool>(angle.locate);  // numbers of a program are in radians
+  if (!angle.given || !ofFile || unit || !(std::abs(double(angle)) > kMost)) return;
   throw angle.fault(angle.declaration->name + " is in radians and turns more than once around",
                     text + "deg is an angle in degrees, " + text + "rad one of several turns", 0,
                     text.size());

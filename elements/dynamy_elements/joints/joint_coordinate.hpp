@@ -65,8 +65,8 @@ class CoordinateRow {
 
 /// The coordinate of an element with attributes `between`, `coordinate`, `at`, `axis`, `reference`,
 /// `start`.
-/// Throws ModelError for an angle of more than a turn that is written without a unit: it was
-/// probably meant in degrees.
+/// Throws ModelError for an angle of more than one and a half turns that is written without a unit:
+/// it was probably meant in degrees.
 void refuseDegrees(const ParameterValue& angle);
 
 class JointCoordinate {

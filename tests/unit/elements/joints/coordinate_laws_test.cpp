@@ -55,22 +55,6 @@ TEST_P(CoordinateLaws, OfAStopFit) {
   expectFits(plane_);
 }
 
-TEST_P(CoordinateLaws, TakeNoAnglesOfSeveralTurnsWithoutAUnit) {
-  const auto refused = [&](const GivenValue& limit) {
-    try {
-      space_.add<JointStop>("stop", {between(), kAngle, kAxis, limit});
-    } catch (const ModelError& e) {
-      return std::string(e.what());
-    }
-    return std::string();
-  };
-  EXPECT_NE(refused({"lower", -45.0}).find("-45deg is an angle in degrees"), std::string::npos);
-  EXPECT_EQ(refused({"lower", "-45deg"}), "");
-  EXPECT_EQ(refused({"lower", "-45rad"}), "");
-  EXPECT_EQ(refused({"lower", -6.0}), "");
-  space_.add<JointStop>("way", {between(), kShift, kAxis, {"lower", -45.0}});
-}
-
 TEST_P(CoordinateLaws, OfADriveFit) {
   space_.add<JointDrive>("drive", {between(), kAngle, kAxis, {"motion", "0.3*sin(2*t)+t^2"}});
   expectFits(space_);
