@@ -73,7 +73,7 @@ export function headline(data: PageData, span: number, frames: number): (string 
   if (failed) say(element("b", `${failed} of ${checks.length} checks failed`, "bad"));
   if (warnings) say(element("b", warnings === 1 ? "1 warning" : `${warnings} warnings`, "bad"));
   say(element("b", shortNumber(span)), " s");
-  for (const [name, word] of [["steps", "steps"], ["impacts", "impacts"], ["switches", "switches"]]) {
+  for (const [name, word] of [["steps", "steps"], ["impacts", "impacts"], ["switches", "changes of status"]]) {
     if (run && typeof run[name] === "number") say(element("b", String(run[name])), ` ${word}`);
   }
   if (run && typeof run.wall_s === "number") say("computed in ", element("b", shortNumber(run.wall_s)), " s");

@@ -91,7 +91,7 @@ export class Replay {
     this.energy.grow(this.begin, this.end, ledgerPanels(feed.ledgerColumns()));
     this.list.grown();
     for (const id of ["before", "after"]) byId<HTMLButtonElement>(id).disabled = !this.events.length;
-    byId("facts").replaceChildren(...headline(this.data, this.end - this.begin, film.count));
+    this.showFacts();
     this.fillLegend();
     paintMarks(byId("marks"), this.events, this.begin, this.end);
     this.draw();
@@ -100,7 +100,7 @@ export class Replay {
   /** The run has ended, with these facts: from now on the page is a replay. */
   ended(run: Record<string, unknown>): void {
     this.data.run = run;
-    byId("facts").replaceChildren(...headline(this.data, this.end - this.begin, this.film.count));
+    this.showFacts();
     byId("run").replaceChildren(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
     this.addTab("run", "Run");
     this.draw();
@@ -200,6 +200,13 @@ export class Replay {
     this.showScale();
   }
 
+  /** How the run ended, in the head of the page; in full as a hint where the window is narrow. */
+  private showFacts(): void {
+    const facts = byId("facts");
+    facts.replaceChildren(...headline(this.data, this.end - this.begin, this.film.count));
+    facts.title = facts.textContent ?? "";
+  }
+
   /** How large the forces and percussions are that the arrows stand for. */
   private showScale(): void {
     const text = ([["force", false], ["impact", true]] as const).map(([name, impact]) => {
@@ -292,7 +299,7 @@ export class Replay {
     byId("title").title = named;
     document.title = `${named} \u00b7 dynamY ${this.grows ? "live" : "replay"}`;
     if (this.grows) (document.querySelector(".brand span") as HTMLElement).textContent = "live";
-    byId("facts").replaceChildren(...headline(this.data, this.end - this.begin, this.film.count));
+    this.showFacts();
     if (run) byId("run").append(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
     if (model.text) byId("model").append(modelText(model.text));
     byId("theme").innerHTML = kThemeIcon;
