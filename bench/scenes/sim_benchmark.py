@@ -4,10 +4,9 @@
     bench/scenes/sim_benchmark.py PROGRAM      prints a table of errors and CPU times
 
 Rolling: a plate of 10 kg lies on 25 balls of 1 kg and is drawn by 150 N at its lower face, along a
-side or at 45 degrees, for 0.4 s, in which it goes 0.3 m over the balls. With mu = 2 nothing slips.
-(Later the balls at its end carry so little, or nothing in one of the many ways to share its weight,
-that they may slip.) A ball between plate and ground has half of the plate's
-acceleration a; from its momentum and its angular momentum the plate drives it with 0.35 m a, so
+side or at 45 degrees, for 0.4 s, in which it goes 0.6 m, half of it over the balls. With mu = 2
+nothing has to slip. A ball between plate and ground has half of the plate's acceleration a; from its
+momentum and its angular momentum the plate drives it with 0.35 m a, so
 
     a = F/(M + 0.35 n m)
 

@@ -62,7 +62,7 @@ export function checksOf(run: Record<string, unknown>): HTMLElement | null {
 }
 
 /** How the run ended and its size, for the head of the page. */
-export function headline(data: PageData, span: number, frames: number): (string | Node)[] {
+function headline(data: PageData, span: number, frames: number): (string | Node)[] {
   const {run} = data, parts: (string | Node)[] = [];
   const say = (...nodes: (string | Node)[]): void => { parts.push(...(parts.length ? [" \u00b7 ", ...nodes] : nodes)); };
   if (run && typeof run.state === "string") {
@@ -80,6 +80,12 @@ export function headline(data: PageData, span: number, frames: number): (string 
   const {recorded} = data.frames;
   if (frames) say(frames < recorded ? element("b", `${frames} of ${recorded} frames`, "bad") : `${frames} frames`);
   return parts;
+}
+
+/** Writes it there, and in full as a hint where the window is narrow. */
+export function showHeadline(box: HTMLElement, data: PageData, span: number, frames: number): void {
+  box.replaceChildren(...headline(data, span, frames));
+  box.title = box.textContent ?? "";
 }
 
 /** Energies and works, then what the solver did: panels of the ledger. */

@@ -10,7 +10,7 @@ import {FilmStudio, saveFilm} from "./film_file";
 import {kKeys, kPauseIcon, kPlayIcon, kSpeeds, kThemeIcon, kViews} from "./labels";
 import {clamp, shortNumber} from "./math";
 import type {OtherRun} from "./other_run";
-import {checksOf, element, EventList, headline, ledgerPanels, modelText, tableOf, turned} from "./panels";
+import {checksOf, element, EventList, ledgerPanels, modelText, showHeadline, tableOf, turned} from "./panels";
 import {panelsOf, Plots} from "./plots";
 import {spanOf} from "./film";
 import {SceneModel} from "./scene_model";
@@ -91,7 +91,7 @@ export class Replay {
     this.energy.grow(this.begin, this.end, ledgerPanels(feed.ledgerColumns()));
     this.list.grown();
     for (const id of ["before", "after"]) byId<HTMLButtonElement>(id).disabled = !this.events.length;
-    this.showFacts();
+    showHeadline(byId("facts"), this.data, this.end - this.begin, this.film.count);
     this.fillLegend();
     paintMarks(byId("marks"), this.events, this.begin, this.end);
     this.draw();
@@ -100,7 +100,7 @@ export class Replay {
   /** The run has ended, with these facts: from now on the page is a replay. */
   ended(run: Record<string, unknown>): void {
     this.data.run = run;
-    this.showFacts();
+    showHeadline(byId("facts"), this.data, this.end - this.begin, this.film.count);
     byId("run").replaceChildren(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
     this.addTab("run", "Run");
     this.draw();
@@ -200,13 +200,6 @@ export class Replay {
     this.showScale();
   }
 
-  /** How the run ended, in the head of the page; in full as a hint where the window is narrow. */
-  private showFacts(): void {
-    const facts = byId("facts");
-    facts.replaceChildren(...headline(this.data, this.end - this.begin, this.film.count));
-    facts.title = facts.textContent ?? "";
-  }
-
   /** How large the forces and percussions are that the arrows stand for. */
   private showScale(): void {
     const text = ([["force", false], ["impact", true]] as const).map(([name, impact]) => {
@@ -299,7 +292,7 @@ export class Replay {
     byId("title").title = named;
     document.title = `${named} \u00b7 dynamY ${this.grows ? "live" : "replay"}`;
     if (this.grows) (document.querySelector(".brand span") as HTMLElement).textContent = "live";
-    this.showFacts();
+    showHeadline(byId("facts"), this.data, this.end - this.begin, this.film.count);
     if (run) byId("run").append(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
     if (model.text) byId("model").append(modelText(model.text));
     byId("theme").innerHTML = kThemeIcon;

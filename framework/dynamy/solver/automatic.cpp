@@ -12,6 +12,11 @@ constexpr int kMostRestarted = 400;     ///< contacts; above, restarts cost seco
 /// at rest [u_ref].
 constexpr int kMostRested = 100;
 constexpr double kAtRest = 1e-6;
+/// Contacts from which on they may share a load in so many ways that shares go astray from step to step.
+constexpr int kShared = 4;
+/// Residual up to which forces that hold bodies are a solution, in tolerances of the solver that finds
+/// them.
+constexpr double kHeld = 10.0;
 /// Rows that are pivoted if nothing else helps: above, the tableau of the polygons costs seconds.
 constexpr int kMostPivoted = 100;
 /// Rows of a given problem above which every further start costs seconds; starts for every
@@ -114,9 +119,10 @@ SolveReport judged(SolveReport report, double enough) {
   return report;
 }
 
-/// Is this a problem of few contacts with friction, of bodies at rest, that begins without forces?
+/// Is this a problem of few contacts with friction of which none moves, as of bodies that rest or roll?
 bool mayRest(const InclusionProblem& p, ConstVec Lambda) {
-  if (!(p.dt > 0.0) || p.rule || p.size() > kMostRested || !Lambda.isZero(0.0)) return false;
+  if (!(p.dt > 0.0) || p.rule || p.size() > kMostRested) return false;
+  if (p.size() < kShared && !Lambda.isZero(0.0)) return false;
   double fastest = 0.0;
   for (const double gamma : p.gammaA) fastest = std::max(fastest, std::abs(gamma));
   if (!(fastest <= kAtRest * p.uRef)) return false;
@@ -186,7 +192,9 @@ SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
   keptLambda_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   const bool rests = mayRest(p, view(std::as_const(Lambda)));
   report = rungs(p, Lambda, report);
-  if (rests && moves(p, Lambda)) minimalNorm_.rest(p, newton_, Lambda, report);
+  if (rests && moves(p, Lambda))
+    minimalNorm_.rest(p, newton_, settles(p) ? kSettled : kHeld * options_.tolerance, Lambda,
+                      report);
   keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
   const bool many = bounds(p), judges = many || settles(p);
   const double enough = std::max(many ? kAccepted : kTolerable, options_.tolerance);

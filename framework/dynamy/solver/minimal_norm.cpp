@@ -2,19 +2,26 @@
 #include <cmath>
 #include <dynamy/solver/minimal_norm.hpp>
 #include <dynamy/solver/problem/stop_with.hpp>
+#include <iterator>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace dynamy {
 namespace {
 
 /// a in units of the smallest λ_i.
 constexpr double kPath[] = {1e-2, 1e-5, 1e-8};
+/// To stay at the solution of a path, at most so many proximal steps −(GΛ + c + a (Λ − Λ_k)) ∈ N_C(Λ)
+/// follow from its second a: with less Newton's method may go to a solution that moves.
+constexpr int kProximal = 8;
+constexpr double kExact = 1e-12;
 constexpr double kSameVelocity = 1e-6;  ///< fraction of u_ref: smaller differences are none
 
 }  // namespace
 
-bool MinimalNorm::follow(const InclusionProblem& p, InclusionSolver& solver, SolveReport& report) {
+bool MinimalNorm::follow(const InclusionProblem& p, InclusionSolver& solver, double stays,
+                         SolveReport& report) {
   double unit = std::numeric_limits<double>::infinity();
   for (int i = 0; i < p.size(); ++i)
     if (const double lambda = contactLambda(p.G->diagonalBlock(i), p.dim(i)); lambda > 0.0)
@@ -30,6 +37,7 @@ bool MinimalNorm::follow(const InclusionProblem& p, InclusionSolver& solver, Sol
     return step.ok();
   };
   for (const double part : kPath) {
+    if (stays > 0.0 && part == *std::rbegin(kPath)) break;
     BlockRows rows = p.G->blockRows();
     for (int i = 0; i < p.size(); ++i)
       for (int k = 0; k < p.dim(i); ++k)
@@ -38,7 +46,21 @@ bool MinimalNorm::follow(const InclusionProblem& p, InclusionSolver& solver, Sol
     G_.given(*p.contacts, std::move(rows));
     if (!solved(problem_)) return false;
   }
-  return solved(p);
+  if (!(stays > 0.0)) return solved(p);
+  problem_.corrected = Corrected::never;  // each step begins near its solution, and is taken
+  std::vector<double> scratch;
+  double last = std::numeric_limits<double>::infinity();
+  for (int k = 0;; ++k) {
+    report.residuals = residuals(p, view(std::as_const(trial_)), scratch);
+    const double now = report.residuals.largest();
+    // Velocities of contacts that contradict each other, by rounding, leave a residual.
+    if (now <= kExact || k == kProximal || now > 0.5 * last) return now <= stays;
+    last = now;
+    const double a = kPath[1] * unit;
+    for (Eigen::Index i = 0; i < trial_.size(); ++i)
+      problem_.c[static_cast<std::size_t>(i)] = p.c[static_cast<std::size_t>(i)] - a * trial_[i];
+    if (!solved(problem_)) return false;
+  }
 }
 
 void MinimalNorm::apply(const InclusionProblem& p, InclusionSolver& solver, Vec Lambda,
@@ -46,7 +68,7 @@ void MinimalNorm::apply(const InclusionProblem& p, InclusionSolver& solver, Vec 
   if (!report.ok()) return;
   trial_ = Lambda;
   const Residuals before = report.residuals;
-  const bool found = follow(p, solver, report);
+  const bool found = follow(p, solver, 0.0, report);
   const Residuals last = std::exchange(report.residuals, before);
   if (!found || trial_.norm() > (1.0 + 1e-9) * Lambda.norm()) return;
   // A solution with other velocities is discarded.
@@ -57,11 +79,11 @@ void MinimalNorm::apply(const InclusionProblem& p, InclusionSolver& solver, Vec 
   report.residuals = last;
 }
 
-bool MinimalNorm::rest(const InclusionProblem& p, InclusionSolver& solver, Vec Lambda,
-                       SolveReport& report) {
+bool MinimalNorm::rest(const InclusionProblem& p, InclusionSolver& solver, double tolerance,
+                       Vec Lambda, SolveReport& report) {
   trial_.setZero(p.rows());
   const SolveReport before = report;
-  if (follow(p, solver, report)) {
+  if (follow(p, solver, tolerance, report)) {
     Eigen::VectorXd xi(p.rows());
     p.G->apply(trial_.data(), xi.data());
     xi += Eigen::Map<const Eigen::VectorXd>(p.c.data(), p.rows());

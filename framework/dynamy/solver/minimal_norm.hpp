@@ -20,13 +20,17 @@ class MinimalNorm {
   /// Finds the smallest forces that hold every contact, ξ = 0, if there are any; true: Λ is set. With
   /// friction the inclusion may have them beside solutions that move: of a plate between two fingers
   /// all the load may rest on one pair of corners, about which it turns. Contacts that give way, ever
-  /// less, choose rest, as those of real bodies do. Else Λ and `report` stay. Allocates memory.
-  bool rest(const InclusionProblem& problem, InclusionSolver& solver, Vec Lambda,
+  /// less, choose rest, as those of real bodies do. Else Λ and `report` stay. `tolerance`: residual up
+  /// to which Λ is a solution. Allocates memory.
+  bool rest(const InclusionProblem& problem, InclusionSolver& solver, double tolerance, Vec Lambda,
             SolveReport& report);
 
  private:
-  /// Follows the path a → 0 from trial_, which is a solution then. False: it ends on the way.
-  bool follow(const InclusionProblem& problem, InclusionSolver& solver, SolveReport& report);
+  /// Follows the path a → 0 from trial_, which is a solution then: one that the solver finds from the
+  /// end of the path, or with `stays` > 0 the end itself, with a residual of `stays`. False: it ends
+  /// on the way.
+  bool follow(const InclusionProblem& problem, InclusionSolver& solver, double stays,
+              SolveReport& report);
   Delassus G_;
   InclusionProblem problem_;
   Eigen::VectorXd trial_;
