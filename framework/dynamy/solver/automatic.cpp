@@ -119,10 +119,18 @@ SolveReport judged(SolveReport report, double enough) {
   return report;
 }
 
+bool onlyContacts(const InclusionProblem& p) {
+  for (int i = 0; i < p.size(); ++i)
+    if (!p.law(i).unilateral()) return false;
+  return true;
+}
+
 /// Is this a problem of few contacts with friction of which none moves, as of bodies that rest or roll?
+/// With forces of a step before only if there is nothing but contacts: friction of joints is not to
+/// lock what they let go.
 bool mayRest(const InclusionProblem& p, ConstVec Lambda) {
   if (!(p.dt > 0.0) || p.rule || p.size() > kMostRested) return false;
-  if (p.size() < kShared && !Lambda.isZero(0.0)) return false;
+  if (!Lambda.isZero(0.0) && (p.size() < kShared || !onlyContacts(p))) return false;
   double fastest = 0.0;
   for (const double gamma : p.gammaA) fastest = std::max(fastest, std::abs(gamma));
   if (!(fastest <= kAtRest * p.uRef)) return false;
@@ -192,9 +200,10 @@ SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
   keptLambda_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   const bool rests = mayRest(p, view(std::as_const(Lambda)));
   report = rungs(p, Lambda, report);
-  if (rests && moves(p, Lambda))
-    minimalNorm_.rest(p, newton_, settles(p) ? kSettled : kHeld * options_.tolerance, Lambda,
-                      report);
+  if (rests && moves(p, Lambda)) {
+    const double held = settles(p) ? kSettled : kHeld * options_.tolerance;
+    minimalNorm_.rest(p, newton_, onlyContacts(p) ? held : 0.0, Lambda, report);
+  }
   keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
   const bool many = bounds(p), judges = many || settles(p);
   const double enough = std::max(many ? kAccepted : kTolerable, options_.tolerance);

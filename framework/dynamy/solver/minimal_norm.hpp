@@ -21,7 +21,7 @@ class MinimalNorm {
   /// friction the inclusion may have them beside solutions that move: of a plate between two fingers
   /// all the load may rest on one pair of corners, about which it turns. Contacts that give way, ever
   /// less, choose rest, as those of real bodies do. Else Λ and `report` stay. `tolerance`: residual up
-  /// to which Λ is a solution. Allocates memory.
+  /// to which Λ is a solution; 0: one that the solver finds from there. Allocates memory.
   bool rest(const InclusionProblem& problem, InclusionSolver& solver, double tolerance, Vec Lambda,
             SolveReport& report);
 
