@@ -18,6 +18,9 @@ constexpr std::size_t kBytes = 6;
 /// States that may be kept; an FMU with a larger one follows its inputs again instead [bytes].
 constexpr std::size_t kMostState = std::size_t{1} << 20u;
 
+/// Times of clocks are the same up to this part of the period.
+constexpr double kSameTime = 1e-9;
+
 /// Sums over inputs have 48 bits, to be exact in a double, too.
 constexpr std::uint64_t kSumBits = (std::uint64_t{1} << 48u) - 1;
 
@@ -49,12 +52,15 @@ SampleClock clockOf(const Parameters& x, const FmuFile& file) {
   if (!(period > 0.0))
     throw x["file"].fault("the FMU states no step of its own", "add period=\"10ms\"", 0,
                           x["file"].text.size());
+  const bool asked = x.has("period") || x.has("offset");
   for (const FmuClock& c : file.clocks)
-    if (c.interval > 0.0 && (std::abs(c.interval - period) > 1e-9 * period ||
-                             std::abs(c.shift - shift) > 1e-9 * period))
-      throw x["period"].fault("a clock of the FMU ticks every " + numberText(c.interval) +
-                                  " s from " + numberText(c.shift) + " s on",
-                              "leave out period and offset", 0, x["period"].text.size());
+    if (c.interval > 0.0 && (std::abs(c.interval - period) > kSameTime * period ||
+                             std::abs(c.shift - shift) > kSameTime * period))
+      throw x["file"].fault(
+          "a clock of the FMU ticks every " + numberText(c.interval) + " s from " +
+              numberText(c.shift) + " s on",
+          asked ? "leave out period and offset" : "its clocks differ, which is not served", 0,
+          x["file"].text.size());
   return {period, shift};
 }
 
@@ -62,9 +68,8 @@ SampleClock clockOf(const Parameters& x, const FmuFile& file) {
 
 void Fmu::declare(Attributes& a) {
   a.about(
-      "A controller that another program exported as an FMU for co-simulation (FMI 2.0 or 3.0), as "
-      "a "
-      "sampled block: at each of the instants offset + k period it has made a step of one period, "
+      "A controller that another program exported as an FMU for co-simulation (FMI 2.0 or 3.0): a "
+      "sampled block. At each of the instants offset + k period it has made a step of one period, "
       "gets its inputs, and its outputs hold until the next one. Signals: its outputs by their "
       "names; out, the first of them. Numbers are in the units of the FMU.");
   a.add(AttributeType::text, "file", std::nullopt, "the FMU, its path counted from this file")
@@ -208,8 +213,8 @@ void Fmu::follow(long taken) const {
 
 /// Brings the instance to where it was after the samples `wanted`; `state`: its size and bytes.
 void Fmu::setBack(const At& wanted, const double* state) const {
-  if (instance_ && at_ == wanted) return;
   if (wanted.taken == 0) return make();
+  if (instance_ && at_ == wanted) return;
   if (stateBytes_ == 0) {
     const auto last = static_cast<std::size_t>(wanted.taken - 1);
     if (last >= history_.size() || !(history_[last].at == wanted))
@@ -251,8 +256,25 @@ void Fmu::sample(const Kinematics& k, double* held) const {
     at[0] = static_cast<double>(at_.taken), at[1] = static_cast<double>(at_.sum), at[2] = at_.t;
     if (stateBytes_ > 0) keep(at + 3);
   } catch (const std::exception& e) {
+    instance_.reset();  // nobody knows how far it came
     throw std::runtime_error("the FMU " + who_ + ": " + e.what());
   }
+}
+
+std::string Fmu::memoryFault(ConstVec memory) const {
+  const auto isCount = [](double x, double most) {
+    return x >= 0.0 && x <= most && x == std::floor(x);
+  };
+  constexpr double kExact = 9007199254740992.0;  // 2⁵³
+  const double* at = memory.data() + 1 + outputs_.size();
+  if (!isCount(at[0], kExact) || !isCount(at[1], static_cast<double>(kSumBits)) ||
+      !std::isfinite(at[2]))
+    return "its samples are not counted";
+  if (stateBytes_ == 0) return {};
+  if (!isCount(at[3], static_cast<double>(stateBytes_))) return "its state has another size";
+  for (long i = 0; i < stateNumbers(); ++i)
+    if (!isCount(at[4 + i], static_cast<double>(kSumBits))) return "its state holds no bytes";
+  return {};
 }
 
 }  // namespace dynamy

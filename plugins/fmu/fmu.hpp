@@ -23,6 +23,7 @@ class Fmu final : public SampledBlock {
   /// Throws ModelError with the place of what the FMU does not have.
   explicit Fmu(const Parameters& x);
   void describe(Description& d) const override;
+  std::string memoryFault(ConstVec memory) const override;
 
  private:
   /// Where an instance is: how many samples it has taken, a sum over their instants and inputs, and

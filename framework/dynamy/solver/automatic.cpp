@@ -119,6 +119,7 @@ SolveReport judged(SolveReport report, double enough) {
   return report;
 }
 
+/// No joints, drives or friction in joints?
 bool onlyContacts(const InclusionProblem& p) {
   for (int i = 0; i < p.size(); ++i)
     if (!p.law(i).unilateral()) return false;
@@ -201,6 +202,7 @@ SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
   const bool rests = mayRest(p, view(std::as_const(Lambda)));
   report = rungs(p, Lambda, report);
   if (rests && moves(p, Lambda)) {
+    // With joints the solution at the end of the path has to be one of Newton's method, too.
     const double held = settles(p) ? kSettled : kHeld * options_.tolerance;
     minimalNorm_.rest(p, newton_, onlyContacts(p) ? held : 0.0, Lambda, report);
   }

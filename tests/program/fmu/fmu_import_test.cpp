@@ -92,6 +92,28 @@ TEST_F(FmuImport, IsTheControllerThatWasExported) {
     const std::vector<double> whole = column("fmu", "cart.x"), resumed = column("half", "cart.x");
     EXPECT_NEAR(resumed.back(), whole.back(), 1e-13) << settings;
   }
+  // An FMU with another content is not that of the run.
+  ASSERT_EQ(call("run cart.xml --quiet --out half --trust --until 1"), 0) << err();
+  ASSERT_EQ(call("export fmu pid.xml --set kp=11"), 0) << err();
+  EXPECT_EQ(call("resume half --until 2 --quiet --trust"), 2);
+  EXPECT_NE(err().find("is not what the run was made with"), std::string::npos) << err();
+}
+
+TEST_F(FmuImport, TravelsInTheFmuOfItsModel) {
+  packController();
+  writeCart(
+      R"(<Fmu name="c" file="controller.fmu" inputs="e" values="1 - cart.x" parameters="kp=40"/>)",
+      kTolerance);
+  ASSERT_EQ(call("run cart.xml --quiet --out fmu --trust"), 0) << err();
+  ASSERT_EQ(call("export fmu cart.xml --trust -o whole.fmu --signals cart.x"), 0) << err();
+  ASSERT_EQ(shell("mkdir whole && cd whole && '" DYNAMY_CMAKE "' -E tar xf ../whole.fmu"), 0);
+  ASSERT_EQ(shell("'" + std::string(DYNAMY_BINARY_DIR) +
+                  "/bin/fmu_master' whole run until=0.5 h=0.01 out=cart.x | tail -n 1"),
+            0)
+      << err();
+  // The last line: t and the signal; row 50 of the run is that instant.
+  EXPECT_NEAR(std::stod(out().substr(out().find(' '))), column("fmu", "cart.x").at(50), 1e-12)
+      << out();
 }
 
 TEST_F(FmuImport, TakesFmi2AndNumbersOfOtherTypes) {

@@ -53,19 +53,6 @@ bool invert(Eigen::Matrix<double, B, B>& K) {
   return true;
 }
 
-/// X ← X − Y K for blocks of pairs of numbers, stored column by column, unrolled. Processors with
-/// registers of two numbers compute two products for the price of one.
-template <int B>
-void subtractProduct(Eigen::Array2d* X, const Eigen::Array2d* Y, const Eigen::Array2d* K) {
-  const auto entry = [&]<int... k>(int r, int c, std::integer_sequence<int, k...>) {
-    X[c * B + r] -= (... + (Y[k * B + r] * K[c * B + k]));
-  };
-  [&]<int... i>(std::integer_sequence<int, i...>) {
-    (entry(i % B, i / B, std::make_integer_sequence<int, B>{}), ...);
-  }
-  (std::make_integer_sequence<int, B * B>{});
-}
-
 template <int B>
 class BlockLu {
  public:
@@ -129,7 +116,7 @@ class BlockLu {
   std::vector<Lane> pairs_;
   std::vector<int> place_;
   std::vector<Vector> work_;
-  SubtractProducts subtract_ = productLevels().back();
+  SubtractProducts subtract_ = productLevels<B>().back();
   long analyses_ = 0;
 };
 
@@ -222,14 +209,8 @@ bool BlockLu<B>::factor() {
       for (int c = 0; c < B; ++c)
         for (int k = 0; k < B; ++k) K[c * B + k] = Lane(U_[e](k, c), L_[e](c, k));
       const Lane* from = pairs_.data() + (static_cast<std::ptrdiff_t>(e) + 1) * B * B;
-      if constexpr (B == 6) {
-        subtract_(pairs_.data()->data(), place_.data(), below_.data() + e + 1, end - e - 1,
-                  from->data(), K->data());
-      } else {
-        for (int f = e + 1; f < end; ++f, from += B * B)
-          subtractProduct<B>(pairs_.data() + static_cast<std::ptrdiff_t>(place_[below_[f]]) * B * B,
-                             from, K);
-      }
+      subtract_(pairs_.data()->data(), place_.data(), below_.data() + e + 1, end - e - 1,
+                from->data(), K->data());
     }
     if (!invert<B>(D_[m]) || !D_[m].allFinite()) return false;
     for (int e = start_[m]; e < start_[m + 1]; ++e) {

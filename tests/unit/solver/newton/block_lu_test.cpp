@@ -65,5 +65,42 @@ TEST(BlockLu, TellsASingularPivot) {
   EXPECT_FALSE(lu.factor());
 }
 
+/// What a level leaves of three blocks, of which two are updated.
+template <int B>
+std::vector<double> updated(SubtractProducts subtract) {
+  constexpr int kNumbers = 2 * B * B;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  std::vector<Eigen::Array2d> X(3 * B * B), Y(2 * B * B), K(B * B);  // aligned as those of BlockLu
+  for (auto* numbers : {&X, &Y, &K})
+    for (Eigen::Array2d& x : *numbers) x = {number(random), number(random)};
+  const std::vector<Eigen::Array2d> before = X;
+  const int place[] = {2, 1, 0}, row[] = {0, 2};
+  subtract(X.data()->data(), place, row, 2, Y.data()->data(), K.data()->data());
+  for (int f = 0; f < 2; ++f)
+    for (int lane = 0; lane < 2; ++lane)
+      for (int c = 0; c < B; ++c)
+        for (int r = 0; r < B; ++r) {
+          const int at = place[row[f]] * B * B + c * B + r;
+          double expected = before[at][lane];
+          for (int k = 0; k < B; ++k)
+            expected -= Y[f * B * B + k * B + r][lane] * K[c * B + k][lane];
+          EXPECT_NEAR(X[at][lane], expected, 1e-15 * (B + 1)) << f << ' ' << r << ' ' << c;
+        }
+  return {X.data()->data(), X.data()->data() + 3 * kNumbers};
+}
+
+template <int B>
+void levelsGiveTheSameBits() {
+  const std::vector<double> plain = updated<B>(productLevels<B>().front());
+  for (const SubtractProducts level : productLevels<B>()) EXPECT_EQ(updated<B>(level), plain);
+}
+
+TEST(BlockLu, ProductsHaveTheSameBitsOnEveryLevel) {
+  levelsGiveTheSameBits<2>();
+  levelsGiveTheSameBits<3>();
+  levelsGiveTheSameBits<6>();
+}
+
 }  // namespace
 }  // namespace dynamy
