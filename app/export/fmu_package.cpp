@@ -153,8 +153,12 @@ FmuResult fmuPackage(Program& program, const FmuTask& task) {
 
   const std::string missing = addLibraries(out.zip, program.plugins, task.allLibraries);
   out.zip.add("documentation/externalDependencies.txt", missing);
-  out.zip.addFile(kPlatform + (out.identifier + ".so"),
-                  frameworkLibrary().file.parent_path() / "dynamy" / "fmu" / "dynamy_fmu.so");
+  const fs::path library =
+      frameworkLibrary().file.parent_path() / "dynamy" / "fmu" / "dynamy_fmu.so";
+  if (!fs::exists(library))
+    throw ModelError("the library of FMUs is not built: no file " + library.string(),
+                     "in a clone scripts/build-release dynamy plugins builds it");
+  out.zip.addFile(kPlatform + (out.identifier + ".so"), library);
 
   fmu::FmuContents contents;
   contents.model =

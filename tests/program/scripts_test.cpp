@@ -70,5 +70,32 @@ TEST_F(Scripts, SayOnATerminalHowFarABuildIs) {
   EXPECT_EQ(readWholeFile((clone() / "build/release/build.log").string()), "[1/8] a\n[2/8] b\n");
 }
 
+TEST_F(Scripts, RunBuildsThePlugInsThatAModelNames) {
+  fs::copy(fs::path(DYNAMY_SOURCE_DIR) / "scripts" / "run", clone() / "scripts");
+  fs::create_directories(clone() / "build/release/bin");
+  fs::create_directories(folder_ / "some models" / "parts");
+  for (const char* name : {"install-packages", "../build/release/bin/dynamy"}) {
+    write("a clone/scripts/" + std::string(name), "#!/bin/sh\n");
+    fs::permissions(clone() / "scripts" / name, fs::perms::owner_all);
+  }
+  for (const char* name : {"lift", "bike", "tyres", "named", "other"})
+    fs::create_directories(clone() / "plugins" / name),
+        write("a clone/plugins/" + std::string(name) + "/CMakeLists.txt", "");
+  write(
+      "some models/model.xml",
+      "<model>\n<plugin library='bike'/><plugin\n  library = \"own.so\"/>"
+      "<include prefix=\"a\" file=\"parts/lift.xml\"/><include file='parts/lift.xml'/>\n</model>");
+  write("some models/parts/lift.xml",
+        "<part><plugin\n  library=\"lift\"/><include file=\"../model.xml\"/></part>");
+  const std::string call = "cd '" + path("some models") + "' && PATH='" + path("bin") +
+                           "':\"$PATH\" '" + (clone() / "scripts/run").string() +
+                           "' model.xml --plugin named --plugin=tyres --set mu=1 > '" +
+                           path("out") + "' 2> '" + path("err") + "'";
+  configuredIn(clone());
+  EXPECT_EQ(WEXITSTATUS(std::system(call.c_str())), 0) << err();
+  EXPECT_EQ(readWholeFile(clone() / "called"),
+            "--preset release\n--build --preset release --target dynamy bike lift named tyres\n");
+}
+
 }  // namespace
 }  // namespace dynamy

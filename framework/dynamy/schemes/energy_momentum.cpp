@@ -104,7 +104,7 @@ void EnergyMomentum::findJoints(MechanicalSystem& s, const State& x, double dt) 
   joints_ = newton_.equations.begin(s, x, dt) ? Joints::some : Joints::none;
 }
 
-/// Takes one step, or two of half the length if Newton's iteration fails. Once a smallest part has
+/// Takes one step, or two of half the length if Newton's iteration fails (Halving). Once a smallest part has
 /// failed, the simpler scheme takes it and the rest of the step.
 StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
                                  int depth) {
@@ -114,9 +114,11 @@ StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, S
   const StepReport whole = joined(s, solver, x, dt);
   if (whole.solved.ok() || !whole.refused.empty() || most_ == 0) return whole;
   x = start;
-  halvingHelps_ = halvingHelps_ && depth < most_;
+  halvingHelps_ = halvingHelps_ && depth < most_ && s.limits.halving != Halving::none;
   StepReport report;
-  if (halvingHelps_) {
+  if (halvingHelps_ && s.limits.halving == Halving::ends) {
+    report = halve(s, solver, x, 0.5 * dt, depth + 1);
+  } else if (halvingHelps_) {
     const StepReport first = halve(s, solver, x, 0.5 * dt, depth + 1);
     report = halve(s, solver, x, 0.5 * dt, depth + 1);
     report.dt = dt;

@@ -11,6 +11,13 @@
 
 namespace dynamy {
 
+/// What a scheme does that can take a step in shorter parts alone.
+enum class Halving : std::uint8_t {
+  within,  ///< takes them all: who sees the step sees its end
+  ends,    ///< ends the step after the first part (StepReport::dt)
+  none     ///< takes the step as it can: it is such a part
+};
+
 /// What the caller of a scheme grants to an attempt at a step.
 struct StepLimits {
   /// Effort that solvers may spend on the problems that are posed from now on. A scheme lowers it
@@ -19,9 +26,9 @@ struct StepLimits {
   /// Time [s] in which overlaps are pushed out, if the step is shorter: the short parts of a step
   /// would throw bodies apart with g/Δt, whatever deep overlaps an unsolved step has left.
   double pushOut = 0.0;
-  /// The step is a part of another: forces that it resolves are taken by a neutral rule, which keeps
-  /// their energy although parts are not equal.
-  bool neutral = false;
+  /// Forces that the step resolves and takes by a neutral rule all the same, which keeps their energy.
+  Keeping keeping = Keeping::none;
+  Halving halving = Halving::within;
   /// Length of the scene [m]; infinity: not known.
   double length = std::numeric_limits<double>::infinity();
   /// End of the run [s]; infinity: not known.

@@ -10,14 +10,14 @@ ImplicitForces::ImplicitForces(const SystemParts& parts) {
 }
 
 void ImplicitForces::resolve(const SystemParts& parts, const Evaluation& e, const State& x,
-                             double dt, const ImplicitWeights& declared, bool neutral) {
+                             double dt, const ImplicitWeights& declared, Keeping keeping) {
   unresolved_ = stiff_.evaluateUnresolved(*parts.topology, parts.forces, e.kinematics, x, e.mass,
-                                          dt, neutral);
-  const double swing = stiff_.swing();
+                                          dt, keeping);
+  const double swing = stiff_.found().swing();
   resolution_ = {swing, swing > ForceResolution::kExplicit};
-  damp(unresolved_ && !stiff_.neutral() ? stiff_.unresolved() : std::span<const char>());
+  damp(unresolved_ ? stiff_.found().damped() : std::span<const char>());
   if (!unresolved_) return;
-  stiff_.factor(e.mass, dt, declared, stiff_.neutral() ? kImplicitMidpoint : kImplicitEnd);
+  stiff_.factor(e.mass, dt, declared);
   acceleration_ = change(e, x.u, dt) / dt;
 }
 
@@ -36,7 +36,7 @@ void ImplicitForces::bookDampedWork(const SystemParts& parts, const Evaluation& 
     sink.hasPotential(parts.forces[i]->hasPotential());
     parts.forces[i]->addTo(e.kinematics, sink);
   }
-  dampedWork_ = 0.5 * dt * (work_ - change_).dot(uA + uE) + stiff_.workOfUnresolved(dt, uA, uE);
+  dampedWork_ = 0.5 * dt * (work_ - change_).dot(uA + uE) + stiff_.workOfDamped(dt, uA, uE);
 }
 
 const Eigen::VectorXd& ImplicitForces::change(const Evaluation& e, const Eigen::VectorXd& uA,

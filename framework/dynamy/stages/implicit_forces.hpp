@@ -23,11 +23,11 @@ class ImplicitForces {
   bool any() const { return stiff_.any(); }
   StiffPart& stiff() { return stiff_; }
 
-  /// At `e`, evaluated at x: finds the forces that a step Δt does not resolve, and factorises M̂ with
-  /// them, with weights `declared` of stiff elements. unresolved() says whether there are any.
-  /// neutral: steps are not equal; forces that they resolve are taken by the implicit midpoint rule.
+  /// At `e`, evaluated at x: finds the forces that a step Δt damps or keeps (UnresolvedForces), and
+  /// factorises M̂ with them, with weights `declared` of stiff elements. unresolved() says whether there
+  /// are any.
   void resolve(const SystemParts& parts, const Evaluation& e, const State& x, double dt,
-               const ImplicitWeights& declared, bool neutral);
+               const ImplicitWeights& declared, Keeping keeping);
   /// M̂ contains forces of elements that are not declared stiff.
   bool unresolved() const { return unresolved_; }
   void forget() { unresolved_ = false; }
@@ -45,6 +45,9 @@ class ImplicitForces {
   /// How well the present step resolves the forces.
   const ForceResolution& resolution() const { return resolution_; }
   void resolution(const ForceResolution& r) { resolution_ = r; }
+
+  /// See ImplicitMass::work().
+  double work() const { return stiff_.work(); }
 
   /// u_free − u^A with the factorised M̂, nu numbers.
   const Eigen::VectorXd& change(const Evaluation& e, const Eigen::VectorXd& uA, double dt);

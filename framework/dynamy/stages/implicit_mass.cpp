@@ -4,6 +4,10 @@
 namespace dynamy {
 namespace {
 
+/// Velocities of a group: n³ over kFactor are the work of its factorisation, n² over kSolve that of a solve with
+/// its share of Ĝ, in evaluations of one velocity. Of a step with a group of 42 they take 5 and 35 %.
+constexpr double kFactor = 4000.0, kSolve = 300.0;
+
 /// f += factor · W_row of contact i.
 void addRow(const ContactSet& c, int i, int row, double factor, Eigen::VectorXd& f) {
   const auto at = static_cast<std::size_t>(i);
@@ -100,6 +104,8 @@ void ImplicitMass::factor(const MassMatrix& mass, double dt, const WeightedStiff
   for (int k = 0; k < used_; ++k) {
     Group& g = groups_[static_cast<std::size_t>(k)];
     g.lu.compute(g.Mhat);
+    const auto n = static_cast<double>(g.u.size());
+    work_ += n * n * n / kFactor;
   }
 }
 
@@ -158,10 +164,14 @@ void ImplicitMass::respond(const ContactSet& contacts, const MassMatrix& mass, i
   for (int k = contacts.segment0[at]; k < contacts.segment0[at + 1]; ++k) {
     const Segment& s = contacts.segment[static_cast<std::size_t>(k)];
     const int g = group_[static_cast<std::size_t>(s.block)];
-    if (g >= 0)
-      solveGroup(groups_[static_cast<std::size_t>(g)], force_, column_);
-    else
+    if (g >= 0) {
+      const Group& group = groups_[static_cast<std::size_t>(g)];
+      solveGroup(group, force_, column_);
+      const auto n = static_cast<double>(group.u.size());
+      work_ += n * n / kSolve;
+    } else {
       column_.segment(s.u0, s.nu) = mass.inverse(s.block) * force_.segment(s.u0, s.nu);
+    }
   }
 }
 

@@ -27,6 +27,8 @@ class ImplicitMass {
   /// u += M̂⁻¹ W Λ.
   void addVelocity(const ContactSet& contacts, const MassMatrix& mass, const double* Lambda,
                    Eigen::VectorXd& u);
+  /// Work of all factorisations and operators Ĝ so far, in evaluations of one velocity (theory 37.7).
+  double work() const { return work_; }
 
  private:
   /// Mass blocks that stiff elements couple, and M̂ over them.
@@ -52,6 +54,7 @@ class ImplicitMass {
   std::vector<std::ptrdiff_t> filled_;            // next block to be filled in each row of blocks
   mutable Eigen::VectorXd part_;
   Eigen::VectorXd force_, column_;
+  double work_ = 0.0;
 };
 
 }  // namespace dynamy

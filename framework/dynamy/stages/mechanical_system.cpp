@@ -123,7 +123,7 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, const EvaluationReq
   indefinite_ = evaluateSmooth(parts_, x, request.withheld, e);
   if (request.slot == 0) implicit_.forget(), problem_.forget();
   if (request.ahead > 0.0 && request.damped)
-    implicit_.resolve(parts_, e, x, request.ahead, *request.damped, limits.neutral);
+    implicit_.resolve(parts_, e, x, request.ahead, *request.damped, limits.keeping);
   detect(x, request, e);
   if (request.gyroscopicAtMean) implicit_.gyroscopicAtMean(parts_, e, x, request.ahead);
   return e;

@@ -31,15 +31,16 @@ void StiffPart::evaluate(const Topology& topology, const std::vector<const Exter
             sink.entry(s, b * n + r, b * n + c, K(r, c), D(r, c));
     }
   }
-  stiffness_.declared = stiffness_.entries.size();
+  stiffness_.declared = stiffness_.kept = stiffness_.entries.size();
 }
 
 bool StiffPart::evaluateUnresolved(const Topology& topology,
                                    const std::vector<const ExternalForce*>& forces,
                                    const Kinematics& k, const State& x, const MassMatrix& mass,
-                                   double dt, bool neutral) {
-  if (!found_.find(forces, k, mass, dt, neutral)) return false;
+                                   double dt, Keeping keeping) {
+  if (!found_.find(forces, k, mass, dt, keeping)) return false;
   evaluate(topology, forces, k, x);
+  stiffness_.kept = stiffness_.declared + found_.dampedEntries();
   stiffness_.entries.insert(stiffness_.entries.end(), found_.entries().begin(),
                             found_.entries().end());
   return true;

@@ -17,28 +17,24 @@ class StiffPart {
   /// K and D at x, whose frames are in `k`.
   void evaluate(const Topology& topology, const std::vector<const ExternalForce*>& forces,
                 const Kinematics& k, const State& x);
-  /// Finds the forces that a step Δt does not resolve, and evaluates their K and D at x together
-  /// with those of stiff elements. False: there are no such forces, and nothing is evaluated.
-  /// neutral: see UnresolvedForces::find.
+  /// Finds the forces that a step Δt damps or keeps (UnresolvedForces), and evaluates their K and D at x
+  /// together with those of stiff elements. False: there are no such forces, and nothing is evaluated.
   bool evaluateUnresolved(const Topology& topology, const std::vector<const ExternalForce*>& forces,
                           const Kinematics& k, const State& x, const MassMatrix& mass, double dt,
-                          bool neutral);
-  /// The forces found last are resolved, and a neutral rule is to take them.
-  bool neutral() const { return found_.neutral(); }
-  /// By index: 1 for the forces found last.
-  std::span<const char> unresolved() const { return found_.taken(); }
-  /// UnresolvedForces::swing of the last step that looked for them.
-  double swing() const { return found_.swing(); }
-  /// Factorises M̂ with these weights; unresolved forces have weights of their own.
-  void factor(const MassMatrix& mass, double dt, const ImplicitWeights& weights,
-              const ImplicitWeights& unresolved = kImplicitEnd) {
-    stiffness_.ofDeclared = weights, stiffness_.ofUnresolved = unresolved;
+                          Keeping keeping);
+  /// What was found last.
+  const UnresolvedForces& found() const { return found_; }
+  /// Factorises M̂ with these weights of stiff elements.
+  void factor(const MassMatrix& mass, double dt, const ImplicitWeights& weights) {
+    stiffness_.ofDeclared = weights;
     Mhat_.factor(mass, dt, stiffness_);
   }
   /// out = M̂⁻¹ in; in and out may not overlap.
   void applyInverse(const MassMatrix& mass, const Eigen::VectorXd& in, Eigen::VectorXd& out) const {
     Mhat_.applyInverse(mass, in, out);
   }
+  /// See ImplicitMass::work().
+  double work() const { return Mhat_.work(); }
   /// True: ωΔt > limit for an oscillation, or Δt d/m > 2, the limit of Euler's explicit rule.
   bool explicitIsUnstable(const MassMatrix& mass, double dt, double limit);
   /// out += Δt² s K v.
@@ -59,9 +55,9 @@ class StiffPart {
                     Eigen::VectorXd& h, Eigen::VectorXd& hNonPotential) const {
     stiffness_.addUsedForce(dt, uA, uE, h, hNonPotential);
   }
-  /// Work of what the step adds to unresolved forces by K [J].
-  double workOfUnresolved(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE) const {
-    return stiffness_.workOfUnresolved(dt, uA, uE);
+  /// Work of what the step adds to damped forces by K [J].
+  double workOfDamped(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE) const {
+    return stiffness_.workOfDamped(dt, uA, uE);
   }
 
  private:

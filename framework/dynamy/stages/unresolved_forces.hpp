@@ -15,28 +15,35 @@
 /// A force whose own part of D is at least 2 √(its part of K) is overdamped and does not swing: taken at
 /// the end of the step it follows what varies slowly, and no shorter step is needed to resolve it.
 ///
-/// Explicit rules keep the energy of an oscillation only while their steps are equal. Where steps
-/// are not, and no block is above one half, forces above a share of 0.002 are found for the neutral
-/// implicit midpoint rule, which keeps it whatever the steps (theory 37.6).
+/// Explicit rules keep the energy of an oscillation only while their steps are equal, and let T + V swing by
+/// (ωΔt)²/4. Where steps are not equal, and beside damped forces, forces above a share of 0.002 are found for
+/// the implicit midpoint rule, which keeps it whatever the steps (theory 37.6).
 #pragma once
+#include <cstdint>
 #include <dynamy/system/external_force.hpp>
 #include <dynamy/system/mass_matrix.hpp>
 #include <span>
 
 namespace dynamy {
 
+/// Which of the forces that a step resolves are found besides, for a neutral rule.
+enum class Keeping : std::uint8_t {
+  none,
+  besideDamped,  ///< where others are unresolved, and forces are few: a net would couple all its contacts
+  all
+};
+
 class UnresolvedForces {
  public:
-  /// Finds the unresolved forces and their derivatives at `k` and M; false: there are none.
-  /// neutral: where there would be none, finds those that a neutral rule is to take.
+  /// Finds the unresolved forces and those that a neutral rule is to take, with their derivatives at `k` and M; false: there are none.
   bool find(const std::vector<const ExternalForce*>& forces, const Kinematics& k,
-            const MassMatrix& mass, double dt, bool neutral = false);
-  /// The forces found last are resolved, and a neutral rule is to take them.
-  bool neutral() const { return neutral_; }
-  /// Derivatives of the unresolved forces.
+            const MassMatrix& mass, double dt, Keeping keeping = Keeping::none);
+  /// Derivatives of the unresolved forces, then of those for the neutral rule.
   const std::vector<StiffEntry>& entries() const { return entries_; }
+  /// Number of entries of unresolved forces.
+  std::size_t dampedEntries() const { return dampedEntries_; }
   /// Per force: 1 if it is unresolved.
-  std::span<const char> taken() const { return taken_; }
+  std::span<const char> damped() const { return damped_; }
   /// Largest share of a block, of all its forces; after find(). It grows with Δt² for undamped forces.
   double share() const { return share_; }
   /// The same of the stiffness of forces that swing.
@@ -45,22 +52,27 @@ class UnresolvedForces {
   int block(int u) const { return blockOf_[static_cast<std::size_t>(u)]; }
 
  private:
-  /// Parts of K and D in a share.
+  /// Share of one force in a mass block: its parts of K and D.
   struct Share {
+    int block = 0;
     double K = 0.0, D = 0.0;
     double sum() const { return K + D; }
   };
-  Share shareOf(const StiffEntry& e, const MassMatrix& mass, double dt) const;
-  /// Share of the entries from `first` on that belong to the same block; moves `first` behind them.
+  /// Of a force, behind its last entry and share.
+  struct Ends {
+    std::size_t entries = 0, shares = 0;
+  };
   Share shareOfBlock(std::size_t& first, std::size_t end, const MassMatrix& mass, double dt) const;
-  bool isUnresolved(std::size_t first, std::size_t end, const MassMatrix& mass, double dt) const;
+  bool keeps(Keeping keeping, std::size_t forces) const;
+  bool isAbove(double most, std::size_t first, std::size_t end) const;
   std::vector<StiffEntry> all_, entries_;
-  std::vector<std::size_t> ends_;  // of forces, in all_
-  std::vector<char> taken_;
+  std::vector<Share> own_;
+  std::vector<Ends> ends_;
+  std::vector<char> damped_;
+  std::size_t dampedEntries_ = 0;
   std::vector<double> shares_, swings_;  // per mass block
   std::vector<int> blockOf_;
   double share_ = 0.0, swing_ = 0.0;
-  bool neutral_ = false;
 };
 
 }  // namespace dynamy

@@ -21,13 +21,13 @@ void WeightedStiffness::addUsedForce(double dt, const Eigen::VectorXd& uA,
   }
 }
 
-double WeightedStiffness::workOfUnresolved(double dt, const Eigen::VectorXd& uA,
-                                           const Eigen::VectorXd& uE) const {
+double WeightedStiffness::workOfDamped(double dt, const Eigen::VectorXd& uA,
+                                       const Eigen::VectorXd& uE) const {
   double work = 0.0;
-  for (std::size_t k = declared; k < entries.size(); ++k) {
+  for (std::size_t k = declared; k < kept; ++k) {
     const StiffEntry& e = entries[k];
     work += 0.5 * (uA[e.i] + uE[e.i]) * e.K *
-            (ofUnresolved.s * uA[e.j] + ofUnresolved.a * (uE[e.j] - uA[e.j]));
+            (kImplicitEnd.s * uA[e.j] + kImplicitEnd.a * (uE[e.j] - uA[e.j]));
   }
   return dt * dt * work;
 }

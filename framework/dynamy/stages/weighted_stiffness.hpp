@@ -3,8 +3,8 @@
 ///
 ///   h + Δt K (s u^A + a (u^E − u^A)) + b D (u^E − u^A)
 ///
-/// Forces that the model declares stiff and forces that a step does not resolve have weights of
-/// their own.
+/// Forces that the model declares stiff, forces that a step damps since it does not resolve them, and
+/// forces that it resolves and whose energy it keeps have weights of their own.
 #pragma once
 #include <dynamy/system/stiffness_sink.hpp>
 #include <vector>
@@ -25,19 +25,20 @@ inline constexpr ImplicitWeights kImplicitEnd{1.0, 1.0, 1.0};
 
 struct WeightedStiffness {
   std::vector<StiffEntry> entries;
-  std::size_t declared = 0;  ///< number of entries of stiff elements; unresolved ones follow
-  ImplicitWeights ofDeclared, ofUnresolved;
+  std::size_t declared = 0;  ///< number of entries of stiff elements; those of damped ones follow
+  std::size_t kept = 0;  ///< the first entry of a force whose energy is kept, behind damped ones
+  ImplicitWeights ofDeclared;
 
   const ImplicitWeights& weights(std::size_t entry) const {
-    return entry < declared ? ofDeclared : ofUnresolved;
+    return entry < declared ? ofDeclared : entry < kept ? kImplicitEnd : kImplicitMidpoint;
   }
   /// out += Δt² s K v.
   void addStart(double dt, const Eigen::VectorXd& v, Eigen::VectorXd& out) const;
   /// h += Δt K (s u^A + a (u^E − u^A)) + b D (u^E − u^A), the last term also to hNonPotential.
   void addUsedForce(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE,
                     Eigen::VectorXd& h, Eigen::VectorXd& hNonPotential) const;
-  /// Work of Δt K (s u^A + a (u^E − u^A)) of unresolved forces in a step [J].
-  double workOfUnresolved(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE) const;
+  /// Work of Δt K (s u^A + a (u^E − u^A)) of damped forces in a step [J].
+  double workOfDamped(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE) const;
 };
 
 }  // namespace dynamy

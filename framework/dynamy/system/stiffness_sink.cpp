@@ -1,3 +1,4 @@
+#include <boost/container/small_vector.hpp>
 #include <dynamy/system/stiffness_sink.hpp>
 
 namespace dynamy {
@@ -12,24 +13,22 @@ void StiffnessSink::torsion(const Frame& A, const Frame& B, const Vec3& a, doubl
 }
 
 void StiffnessSink::add(const Side& a, const Side& b, double c, double d) {
-  const Side* sides[2] = {&a, &b};
-  const auto w = [](const Side& s, int j) {  // entry j of the direction
-    return s.frame.J_S_I.col(j).dot(s.force) + s.frame.J_R_I.col(j).dot(s.moment);
+  struct Part {
+    int u;
+    double w;  // of the direction
   };
-  for (const Side* row : sides) {
-    if (row->frame.block < 0) continue;
-    for (int i = 0; i < row->frame.nu(); ++i) {
-      const double wi = w(*row, i);
-      if (wi == 0.0) continue;
-      for (const Side* column : sides) {
-        if (column->frame.block < 0) continue;
-        for (int j = 0; j < column->frame.nu(); ++j)
-          if (const double wj = w(*column, j); wj != 0.0)
-            entries_.push_back(
-                {row->frame.u0 + i, column->frame.u0 + j, -c * wi * wj, -d * wi * wj});
-      }
+  boost::container::small_vector<Part, 24> parts;
+  for (const Side* side : {&a, &b}) {
+    if (side->frame.block < 0) continue;
+    for (int j = 0; j < side->frame.nu(); ++j) {
+      const double w =
+          side->frame.J_S_I.col(j).dot(side->force) + side->frame.J_R_I.col(j).dot(side->moment);
+      if (w != 0.0) parts.push_back({side->frame.u0 + j, w});
     }
   }
+  for (const Part& row : parts)
+    for (const Part& column : parts)
+      entries_.push_back({row.u, column.u, -c * row.w * column.w, -d * row.w * column.w});
 }
 
 }  // namespace dynamy

@@ -48,6 +48,26 @@ TEST(DividedSteps, FollowASpringThatTheStepDoesNot) {
   EXPECT_TRUE(s.report().warnings.empty());
 }
 
+TEST(DividedSteps, KeepTheEnergyOfASpringBesideOneThatIsDamped) {
+  // ωΔt = 1 beside ωΔt = 1e5, for which there are no parts. The explicit midpoint rule would let T + V of the
+  // first mass swing by (ωΔt)²/4; the implicit one keeps its quadratic energy to rounding, as above.
+  std::string text = oscillator("");
+  text.replace(text.find("0.04"), 4, "0.01");
+  text.insert(text.find("<Ground"),
+              "<PointMass name=\"fast\" plane=\"xz\" position=\"5 0 2\" mass=\"1\"/>");
+  text.insert(text.find("</forces>"),
+              "<SpringDamper between=\"world fast\" pointA=\"5 0 0\" stiffness=\"1e14\" "
+              "length=\"1.999\"/>");
+  Scene loaded("oscillator", {.text = text});
+  Simulation s(loaded.model());
+  while (s.step()) {
+    const double x = s.state().q[1] - 1.0, u = s.state().u[1];
+    EXPECT_NEAR(0.5 * u * u + 0.5e4 * x * x, 0.5, 1e-9 * 0.5) << s.state().t;
+  }
+  EXPECT_EQ(s.report().trust.damped, 1);
+  EXPECT_EQ(s.report().passing.divided, 0);
+}
+
 TEST(DividedSteps, BeginWithTheFirstStep) {
   // ωΔt = 20 beside a hundred masses at rest: 2 √(2 · 100)/0.35 = 81 parts of one evaluation, of
   // the 237 that 202 velocities may have. The first attempt of a run takes three evaluations, with

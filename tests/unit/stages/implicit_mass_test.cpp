@@ -24,8 +24,8 @@ struct Line {
                          {2, 0, 40.0, 5.0},
                          {2, 2, -40.0, -5.0},
                          {0, 0, -30.0, 0.0}};
-    stiffness.declared = 4;
-    stiffness.ofDeclared = kImplicitMidpoint, stiffness.ofUnresolved = kImplicitEnd;
+    stiffness.declared = 4, stiffness.kept = 5;
+    stiffness.ofDeclared = kImplicitMidpoint;
     MatrixXd K = MatrixXd::Zero(3, 3), D = K;
     K(0, 0) = K(2, 2) = -40.0, K(0, 2) = K(2, 0) = 40.0;
     D(0, 0) = D(2, 2) = -5.0, D(0, 2) = D(2, 0) = 5.0;

@@ -67,8 +67,8 @@ std::string lookedFor(const fs::path& path) {
         known.push_back(std::move(name));
   if (advice.empty()) advice = didYouMean(nearest(nameOfLibrary(library), known));
   if (advice.empty())
-    advice =
-        "build it, and put it where it is looked for, or name its folder in DYNAMY_PLUGIN_PATH";
+    advice = "build it (one of dynamY's own: scripts/build-release " + nameOfLibrary(library) +
+             "), and put it where it is looked for, or name its folder in DYNAMY_PLUGIN_PATH";
   Diagnostic d{.text = "no library \"" + library + '"', .hint = std::move(advice)};
   std::vector<std::string> told;
   for (const fs::path& path : tried) {

@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-constexpr double kLeastBudget = 1.3e7;  ///< B₀, some seconds
+constexpr double kLeastBudget = 2.6e7;  ///< B₀, some seconds
 constexpr double kOfEach = 1e5;         ///< b: evaluations of the whole model
 constexpr double kAtOnce = 0.5;         ///< part of B that may be spent at any time
 constexpr double kWhile = 6e4;          ///< work between two looks at the pace of an island

@@ -12,9 +12,9 @@ bool DampedForces::begin(MechanicalSystem& s, const State& x, double dt) {
   const bool some = forces_.find(forces, e->kinematics, e->mass, dt);
   s.implicitForces().resolution({forces_.swing(), some});
   if (!some && withheld_.empty()) return false;
-  if (!std::equal(withheld_.begin(), withheld_.end(), forces_.taken().begin(),
-                  forces_.taken().end())) {
-    withheld_.assign(forces_.taken().begin(), forces_.taken().end());
+  if (!std::equal(withheld_.begin(), withheld_.end(), forces_.damped().begin(),
+                  forces_.damped().end())) {
+    withheld_.assign(forces_.damped().begin(), forces_.damped().end());
     if (!some) withheld_.clear();
     e = &without(s, x);
   }

@@ -103,12 +103,19 @@ void aboutPositions(const RunReport& r, double length, Warnings& out) {
   const double overlap = r.gaps.penetration.value;
   // What the model gives may grow by what no step pushes out, and by what any step may add.
   const double given = kSameOverlap * r.gaps.atStart.value;
-  if (r.gaps.atStart.value > kStart * length)
-    out.push_back({"start",
+  if (r.gaps.atStart.value > kStart * length) {
+    const double regain = ratio(r.trust.regain, r.trust.energyScale());
+    const bool risen = regain > kEnergy;
+    out.push_back({risen ? "start" : "start overlap",
                    fmt::format("the model puts bodies into each other: {:.2g} m at {}; pushing "
-                               "them apart changes the energy",
-                               r.gaps.atStart.value, r.gaps.atStart.name),
+                               "them apart {}",
+                               r.gaps.atStart.value, r.gaps.atStart.name,
+                               risen ? fmt::format("raised T + V, by {:.3g} J, {:.2g} of the "
+                                                   "largest T",
+                                                   r.trust.regain, regain)
+                                     : "changes the energy"),
                    1, 0.0, r.gaps.atStart.name});
+  }
   if (overlap > kMuchOverlap * length + given)
     out.push_back(
         {"overlap",
@@ -223,7 +230,7 @@ void aboutStep(const RunReport& r, double length, Warnings& out) {
                                              t.fall, t.fall / length)});
 }
 
-constexpr std::array<WarningKind, 18> kKinds = {{
+constexpr std::array<WarningKind, 19> kKinds = {{
     {"contradiction", Says::qualifies, "joints or drives contradict each other at the start"},
     {"start positions", Says::note, "joints did not fit at the start, bodies were moved onto them"},
     {"start velocities", Says::note,
@@ -234,7 +241,8 @@ constexpr std::array<WarningKind, 18> kKinds = {{
     {"damped", Says::note, "energy was lost in steps that damp forces which they do not resolve"},
     {"impact law", Says::warning, "impacts would have gained energy by their law"},
     {"restitution", Says::note, "impacts would have gained energy by their law, and rebound less"},
-    {"start", Says::note, "the model puts bodies into each other"},
+    {"start", Says::warning, "bodies begin inside each other, and pushing them apart raised T + V"},
+    {"start overlap", Says::note, "the model puts bodies into each other"},
     {"overlap", Says::qualifies, "bodies overlap by more than a step explains"},
     {"joints", Says::qualifies, "a joint is off at the end of a step"},
     {"passed", Says::qualifies, "fast bodies may have passed others in a step of very many hits"},

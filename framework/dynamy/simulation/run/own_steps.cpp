@@ -48,7 +48,7 @@ bool OwnSteps::advance(Stepper& stepper, double until) {
   if (largest_ > 0.0) most = std::min(most, largest_);
   for (int i = 0;; ++i) {
     const Spent before = stepper.spent();
-    const StepReport report = stepper.attempt(stepper.t() + most, most, false);
+    const StepReport report = stepper.attempt(stepper.t() + most, most, StepTry::whole);
     const int tries = mostParts(nu_, stepper.spent().evaluations - before.evaluations);
     const double tried = stepper.spent().work - before.work;
     const bool sound = stepper.sound();

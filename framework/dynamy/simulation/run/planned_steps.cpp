@@ -27,7 +27,7 @@ Advance PlannedSteps::next(Stepper& stepper, double until) {
   const double rest = stop - stepper.t();
   if (isPassed(stop, stepper.t())) return Advance::atEnd;
   const double most = bound(stepper, rest);
-  stepper.attempt(most == rest ? stop : stepper.t() + most, most, false);
+  stepper.attempt(most == rest ? stop : stepper.t() + most, most, StepTry::whole);
   ++taken_;
   return stepper.accept() && stepper.pause(false) ? Advance::taken : Advance::stopped;
 }

@@ -185,12 +185,12 @@ void Simulation::end() {
   observers_.sumUp();
 }
 
-StepReport Simulation::attempt(double tEnd, double dt, bool cheaply) {
+StepReport Simulation::attempt(double tEnd, double dt, StepTry how) {
   // Else seen at the step's end.
   if ((step_.attempted() || !whole_) && stopped()) throw Stopped{};
   const long evaluations = system_.evaluations();
-  if (!step_.take(tEnd, dt, stop_, cheaply)) throw Stopped{};
-  cheap_ |= cheaply;
+  if (!step_.take(tEnd, dt, stop_, how)) throw Stopped{};
+  cheap_ |= how == StepTry::cheap;
   report_.cost.evaluations += system_.evaluations() - evaluations;
   return step_.report();
 }
@@ -212,7 +212,8 @@ void Simulation::divided(int parts) {
 Spent Simulation::spent() const {
   const double visits = static_cast<double>(solvers_.visits), nu = model_.topology().nu();
   const long n = report_.cost.evaluations;
-  return {n, nu * static_cast<double>(n) + sweep_.work() + visits};
+  const double implicit = system_.implicitForces().work();
+  return {n, nu * static_cast<double>(n) + sweep_.work() + visits + implicit, implicit};
 }
 
 void Simulation::leave(const Passing& p) {

@@ -89,7 +89,7 @@ class Simulation final : private Stepper {
   std::string archived();
 
  private:
-  StepReport attempt(double tEnd, double dt, bool cheaply) override;
+  StepReport attempt(double tEnd, double dt, StepTry how) override;
   bool accept() override;
   void reject() override;
   bool fail(const StepReport& report) override;

@@ -38,7 +38,7 @@ StartReport StepAttempt::start() {
   return report;
 }
 
-bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop, bool cheaply) {
+bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop, StepTry how) {
   attempted_ = true;
   if (sleep_ != nullptr && sleep_->allAsleep() && x_.memory.size() == 0) {
     // No number but t changes. Observers see a system without contacts, which is evaluated once.
@@ -52,10 +52,14 @@ bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop, bo
   const bool last = isSet(stop);  // the run ends after this step, which is to be solved
   const bool searches = !model_.scheme().choosesSteps();
   system_.limits.stop = last ? nullptr : stop;
+  const bool cheaply = how == StepTry::cheap;
   const Effort effort = cheaply ? Effort::little : searches ? searches_.next() : Effort::full;
   system_.limits.pushOut = searches ? model_.simulation.step : 0.0;
-  system_.limits.neutral =
-      searches && model_.schemeIsDefault() && dt < kPart * model_.simulation.step;
+  // Parts of a step are not equal.
+  system_.limits.keeping = !(searches && model_.schemeIsDefault()) ? Keeping::none
+                           : dt < kPart * model_.simulation.step   ? Keeping::all
+                                                                   : Keeping::besideDamped;
+  system_.limits.halving = how == StepTry::whole ? Halving::ends : Halving::none;
   system_.limits.effort = effort;
   report_ = model_.scheme().step(system_, model_.solver(), x_, dt);
   while (sleep_ != nullptr && sleep_->wakes(system_, before_)) {
@@ -68,7 +72,7 @@ bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop, bo
   }
   // After a failed search a scheme lowers the effort for the rest of the attempt.
   if (searches && !cheaply) searches_.done(system_.limits.effort == Effort::full);
-  if (searches) x_.t = tEnd;
+  if (searches) x_.t = report_.dt < dt ? before_.t + report_.dt : tEnd;
   if (searches && model_.schemeIsDefault()) kept_.keep(system_, report_, before_, x_);
   project();
   system_.remember(x_);

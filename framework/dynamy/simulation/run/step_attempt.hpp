@@ -21,10 +21,9 @@ class StepAttempt {
   /// Evaluates the initial state and moves it onto the joints; reports the corrections.
   StartReport start();
   /// Takes one step of length dt [s] to the instant tEnd [s]. Schemes that choose their steps may
-  /// stop earlier. If `stop` becomes true meanwhile, the step is undone and the result is false; a
+  /// stop earlier, others after a part (StepTry). If `stop` becomes true meanwhile, the step is undone and the result is false; a
   /// flag that is true before is ignored. Null: no flag.
-  /// `cheaply`: solvers and the scheme are to make little effort.
-  bool take(double tEnd, double dt, const std::atomic<bool>* stop, bool cheaply = false);
+  bool take(double tEnd, double dt, const std::atomic<bool>* stop, StepTry how = StepTry::whole);
   /// Goes back to the state before the step.
   void undo() { x_ = before_; }
   /// The same without memory; the step cannot be seen any more.

@@ -38,10 +38,12 @@ int StepDivision::begin() {
   return static_cast<int>(finest_);
 }
 
-int StepDivision::parts(const Coarseness& c, double share, long most) {
+int StepDivision::parts(const Coarseness& c, double share, long most, long against) {
   if (!divides_ || !(share > 0.0)) return 1;
-  const double bound =
-      std::min(std::exp2(std::floor(std::log2(static_cast<double>(most)))), kMostEqual);
+  const auto boundOf = [](long n) {
+    return std::min(std::exp2(std::floor(std::log2(static_cast<double>(n)))), kMostEqual);
+  };
+  const double bound = boundOf(most);
   // What cannot be resolved is damped instead, and costs no parts.
   const bool resolvable = c.swing <= share * bound;
   if (!resolvable) swings_ = false;
@@ -57,7 +59,8 @@ int StepDivision::parts(const Coarseness& c, double share, long most) {
   const double bend = std::min(c.curve / std::sqrt(share), Coarseness::kMostCurveParts * share);
   const double curve = bend > 1.0 ? std::clamp(bend, 2.0, Coarseness::kMostAtOnce) : 0.0;
   const double wanted =
-      std::min(std::max({motion, c.overlap, ahead, c.gain, curve}), bound * share);
+      std::max(std::min(std::max({motion, c.overlap, ahead, curve}), bound * share),
+               std::min(c.gain, boundOf(against) * share));
   const double needed = std::max({turn, swings_ ? c.swing : 0.0, std::min(bend, curve)});
   // What is ahead is in the next step, too: the last part looks no further than the next part.
   ahead_ = std::max(ahead_, powerOfTwo(std::min(ahead / share, bound)));

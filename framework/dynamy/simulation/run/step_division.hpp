@@ -55,8 +55,12 @@ class StepDivision {
   /// ahead.
   int begin();
   /// Number of parts, a power of two, into which the attempted part of `share` of the full step is
-  /// to be divided; 1: it is fine, or so many parts would be more than `most` in the full step.
-  int parts(const Coarseness& c, double share, long most);
+  /// to be divided; 1: it is fine, or so many parts would be more than `most` in the full step, `against`
+  /// where they are to keep forces that are damped from bringing in energy.
+  int parts(const Coarseness& c, double share, long most, long against);
+  /// Times more parts than otherwise that a full step may have against such gains, which are seldom and feed
+  /// on themselves.
+  static constexpr long kAgainstGains = 8;
   /// Number of parts that the present step has, if all were as short as its shortest; 1: it was not
   /// divided.
   int finest() const { return static_cast<int>(finest_); }

@@ -120,7 +120,8 @@ bool FixedStep::full(Stepper& stepper, double tEnd, double dt) {
 int FixedStep::partsOf(Stepper& stepper, double dt, long evaluations) {
   if (!division_.divides()) return 1;
   const long most = std::max(partsWithinWork(nu_, evaluations), 1l);
-  return division_.parts(stepper.coarseness(), dt / whole_, most);
+  const long against = budget_.exhausted() ? most : StepDivision::kAgainstGains * most;
+  return division_.parts(stepper.coarseness(), dt / whole_, most, against);
 }
 
 bool FixedStep::divide(Stepper& stepper, double tEnd, double dt, int n) {
@@ -132,7 +133,7 @@ bool FixedStep::divide(Stepper& stepper, double tEnd, double dt, int n) {
   return true;
 }
 
-bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
+bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth, StepTry how) {
   // An attempt would end among bodies that it has passed, which takes long to solve.
   if (const Passing p = ahead(stepper, dt)) {
     if (parts_.take()) return inParts(stepper, p, tEnd, dt, depth);
@@ -140,7 +141,7 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   }
   const Spent before = stepper.spent();
   const bool cheap = budget_.exhausted();
-  const StepReport report = stepper.attempt(tEnd, dt, cheap);
+  const StepReport report = stepper.attempt(tEnd, dt, cheap ? StepTry::cheap : how);
   const Spent after = stepper.spent();
   // The first attempt of a run, also of a resumed one, looks for joints besides.
   const long counted = after.evaluations - before.evaluations;
@@ -153,11 +154,13 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   // Parts for which the budget is too small are taken at the least cost, which a cheap try shows.
   const long least = std::min(evaluations, kFewest);
   const long ofPart =
-      cheap ? std::max(least, static_cast<long>((after.work - before.work) / nu_)) : least;
+      cheap ? std::max(least, static_cast<long>((after.work - before.work) / nu_))
+            : least + static_cast<long>((after.implicit - before.implicit) / std::max(nu_, 1));
   // Too coarse for the motion: all else is looked at in its parts.
-  if (const int n = sound ? partsOf(stepper, dt, ofPart) : 1; n > 1) {
+  const int taken = report.dt > 0.0 ? static_cast<int>(std::lround(dt / report.dt)) : 1;
+  if (const int n = sound ? partsOf(stepper, report.dt, ofPart) : 1; n > 1) {
     stepper.reject();
-    return divide(stepper, tEnd, dt, n);
+    return divide(stepper, tEnd, dt, n * taken);
   }
   if (const Passing p = sound ? passed(stepper) : Passing{}) {
     if (!budget_.exhausted() && parts_.take()) {
@@ -181,7 +184,16 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
     stepper.reject();
     return stepper.fail(report);
   }
-  return stepper.accept();  // a state that is not sound ends the run there
+  // A state that is not sound ends the run there.
+  return stepper.accept() && (taken <= 1 || goOn(stepper, tEnd, report.dt, taken - 1, depth));
+}
+
+/// The other n parts of length dt of a step of which the scheme took one.
+bool FixedStep::goOn(Stepper& stepper, double tEnd, double dt, int n, int depth) {
+  const double begin = stepper.t();
+  for (int k = 1; k <= n; ++k)
+    if (!advance(stepper, k < n ? begin + k * dt : tEnd, dt, depth, StepTry::part)) return false;
+  return true;
 }
 
 bool FixedStep::inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth) {

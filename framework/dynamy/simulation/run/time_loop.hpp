@@ -16,8 +16,16 @@ namespace dynamy {
 
 /// What all attempts and searches of a run have cost so far.
 struct Spent {
-  long evaluations = 0;  ///< of M, h and contacts
-  double work = 0.0;     ///< in evaluations of one velocity (theory 37.7)
+  long evaluations = 0;   ///< of M, h and contacts
+  double work = 0.0;      ///< in evaluations of one velocity (theory 37.7)
+  double implicit = 0.0;  ///< of it the work of forces that are taken implicitly
+};
+
+/// How an attempt is made.
+enum class StepTry : std::uint8_t {
+  whole,  ///< where the scheme solves shorter parts alone, it ends after the first one
+  part,   ///< one of these parts
+  cheap   ///< at a small cost, because the full step has used up its work; the run reports this
 };
 
 /// The interface through which a loop takes steps.
@@ -25,10 +33,9 @@ class Stepper {
  public:
   virtual ~Stepper() = default;
   /// Takes one step of the scheme from the current state, of length dt to the instant tEnd (t + dt
-  /// up to rounding). Schemes that choose their steps may stop earlier. The state before the step
-  /// is kept until accept() or reject().
-  /// `cheaply`: at a small cost, because the full step has used up its work; the run reports this.
-  virtual StepReport attempt(double tEnd, double dt, bool cheaply) = 0;
+  /// up to rounding). Schemes that choose their steps may stop earlier, others after a part. The state
+  /// before the step is kept until accept() or reject().
+  virtual StepReport attempt(double tEnd, double dt, StepTry how) = 0;
   /// Accepts the attempted step; observers see it. False: the run is to end (failed or stopped).
   virtual bool accept() = 0;
   /// Goes back to the state before the attempt.
@@ -151,7 +158,8 @@ class FixedStep final : public TimeLoop {
   /// Takes a step in n equal parts.
   bool divide(Stepper& stepper, double tEnd, double dt, int n);
   /// Takes one step with the policy for missed tolerances; it has been halved `depth` times so far.
-  bool advance(Stepper& stepper, double tEnd, double dt, int depth);
+  bool advance(Stepper& stepper, double tEnd, double dt, int depth, StepTry how = StepTry::whole);
+  bool goOn(Stepper& stepper, double tEnd, double dt, int n, int depth);
   /// Takes a step in parts, such that the contact of `p` closes in a part that is too short to
   /// matter.
   bool inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth);

@@ -158,13 +158,13 @@ TEST(SwitchGovernor, StepsInTimeAreFewWhereTheEndIsKnown) {
 }
 
 TEST(RunPatience, GrantsWorkAlongTheTimeOfARun) {
-  // Of 1.3e7 half at any time, the rest in proportion to time; 1e5 of each velocity in large models.
+  // Of 2.6e7 half at any time, the rest in proportion to time; 1e5 of each velocity in large models.
   RunPatience patience;
-  patience.spend(1e7);
+  patience.spend(2e7);
   EXPECT_TRUE(patience.allowance(1.0, 10.0, 0.4, 1.0).over);
   EXPECT_FALSE(patience.allowance(1.0, 10.0, 0.6, 1.0).over);
   EXPECT_FALSE(patience.allowance(2.0, 10.0, 0.0, 1.0).over);
-  EXPECT_FALSE(patience.allowance(1.0, 400.0, 0.0, 1.0).over);
+  EXPECT_FALSE(patience.allowance(1.0, 600.0, 0.0, 1.0).over);
   // A run whose end nobody knows has no bound, and patience may be endless.
   EXPECT_FALSE(patience.allowance(1.0, 10.0, 0.4, kEndless).over);
   EXPECT_FALSE(patience.allowance(kEndless, 10.0, 0.4, 1.0).over);

@@ -70,8 +70,11 @@ TEST(RunWatch, TellsOverlapsByTheSizeOfTheSceneAndByTheStep) {
 TEST(RunWatch, TellsThatTheModelPutsBodiesIntoEachOther) {
   RunReport r;
   r.gaps.penetration.value = r.gaps.atStart.value = 1e-3, r.trust.way = 1.0;
-  EXPECT_TRUE(warns(warningsOf(r, 1.0), "start"));
+  EXPECT_TRUE(warns(warningsOf(r, 1.0), "start overlap"));
   EXPECT_FALSE(warns(warningsOf(r, 1.0), "overlap"));
+  r.trust.kineticMax = 2.0, r.trust.regain = 0.1;  // 5 %: bodies pushed apart stretched springs
+  EXPECT_TRUE(warns(warningsOf(r, 1.0), "start"));
+  r.trust.regain = 0.0;
   r.gaps.penetration.value = 0.05;  // far more than the model gives
   EXPECT_TRUE(warns(warningsOf(r, 1.0), "overlap"));
   r.gaps.atStart.value = 0.045;  // 0.5 % of the length more than the model gives
@@ -158,10 +161,10 @@ TEST(RunWatch, StepsInTimeAreANoteIfTheirErrorsAddUpToTenTolerances) {
 TEST(RunWatch, KindsThatQualifyARunAreThoseOfWhatTheModelAsks) {
   for (const char* kind : {"unsolved", "energy gain", "overlap", "joints", "time stepping"})
     EXPECT_EQ(warningKind(kind)->says, Says::qualifies) << kind;
-  for (const char* kind : {"energy", "impact law", "resolution", "rest"})
+  for (const char* kind : {"energy", "impact law", "resolution", "rest", "start"})
     EXPECT_EQ(warningKind(kind)->says, Says::warning) << kind;
   for (const char* kind :
-       {"start", "start velocities", "start positions", "restitution", "stepped"})
+       {"start overlap", "start velocities", "start positions", "restitution", "stepped"})
     EXPECT_EQ(warningKind(kind)->says, Says::note) << kind;
   RunReport r;
   r.warnings.push_back({"resolution", "", 1, 0.0, ""});

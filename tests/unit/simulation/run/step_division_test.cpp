@@ -17,31 +17,32 @@ Coarseness coarseness(double turn, double share, double overlap = 0.0) {
 TEST(StepDivision, FollowsTheFastestTurn) {
   StepDivision d(true);
   EXPECT_EQ(d.begin(), 1);
-  EXPECT_EQ(d.parts(coarseness(0.9, 0.0), 1.0, kPlenty), 1);
+  EXPECT_EQ(d.parts(coarseness(0.9, 0.0), 1.0, kPlenty, kPlenty), 1);
   EXPECT_EQ(d.finest(), 1);
-  EXPECT_EQ(d.parts(coarseness(2.5, 0.0), 1.0, kPlenty), 4);  // at most 1 rad in each
+  EXPECT_EQ(d.parts(coarseness(2.5, 0.0), 1.0, kPlenty, kPlenty), 4);  // at most 1 rad in each
   EXPECT_EQ(d.finest(), 4);
-  for (int k = 0; k < 4; ++k) EXPECT_EQ(d.parts(coarseness(0.625, 0.0), 0.25, kPlenty), 1);
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(d.parts(coarseness(0.625, 0.0), 0.25, kPlenty, kPlenty), 1);
   EXPECT_EQ(d.begin(), 4);  // the next step needs as many
 }
 
 TEST(StepDivision, TakesNoPartsForATurnThatNoneWouldResolve) {
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(coarseness(4000.0, 0.0), 1.0, 1L << 20), 4096);
-  EXPECT_EQ(StepDivision(d).parts(coarseness(5000.0, 0.0), 1.0, 1L << 20), 1);
-  EXPECT_EQ(StepDivision(d).parts(coarseness(1e20, 0.0), 1.0, 1L << 20), 1);
+  EXPECT_EQ(d.parts(coarseness(4000.0, 0.0), 1.0, 1L << 20, 1L << 20), 4096);
+  EXPECT_EQ(StepDivision(d).parts(coarseness(5000.0, 0.0), 1.0, 1L << 20, 1L << 20), 1);
+  EXPECT_EQ(StepDivision(d).parts(coarseness(1e20, 0.0), 1.0, 1L << 20, 1L << 20), 1);
 }
 
 TEST(StepDivision, ResolvesForcesThatAStepDoesNot) {
   StepDivision d(true);
   d.begin();
   // ωΔt ≤ 2 √(2/32) = 0.5: nothing is divided.
-  EXPECT_EQ(d.parts(coarseness(0.0, 1.0 / 32.0), 1.0, kPlenty), 1);
+  EXPECT_EQ(d.parts(coarseness(0.0, 1.0 / 32.0), 1.0, kPlenty, kPlenty), 1);
   // A share of 8 is ωΔt ≤ 2 √16 = 8: 22.9 parts of 0.35, so 32.
-  EXPECT_EQ(d.parts(coarseness(0.0, 8.0), 1.0, kPlenty), 32);
+  EXPECT_EQ(d.parts(coarseness(0.0, 8.0), 1.0, kPlenty, kPlenty), 32);
   const double share = 8.0 / (32.0 * 32.0);
-  for (int k = 0; k < 32; ++k) EXPECT_EQ(d.parts(coarseness(0.0, share), 1.0 / 32.0, kPlenty), 1);
+  for (int k = 0; k < 32; ++k)
+    EXPECT_EQ(d.parts(coarseness(0.0, share), 1.0 / 32.0, kPlenty, kPlenty), 1);
   EXPECT_EQ(d.begin(), 32);
 }
 
@@ -49,9 +50,10 @@ TEST(StepDivision, ChangesTheNumberOfPartsSeldom) {
   StepDivision d(true);
   const auto step = [&d](double share) {  // of a full step
     const int n = d.begin();
-    const int again = d.parts(coarseness(0.0, share / (n * n)), 1.0 / n, kPlenty);
+    const int again = d.parts(coarseness(0.0, share / (n * n)), 1.0 / n, kPlenty, kPlenty);
     if (again > 1)
-      d.parts(coarseness(0.0, share / (n * n * again * again)), 1.0 / (n * again), kPlenty);
+      d.parts(coarseness(0.0, share / (n * n * again * again)), 1.0 / (n * again), kPlenty,
+              kPlenty);
     return n;
   };
   step(8.0);
@@ -67,14 +69,15 @@ TEST(StepDivision, ChangesTheNumberOfPartsSeldom) {
 TEST(StepDivision, LeavesForcesDampedThatWouldCostTooMuch) {
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(coarseness(0.0, 4e4), 1.0, kPlenty), 1);  // 1616 parts
-  EXPECT_EQ(d.parts(coarseness(3.0, 4e4), 1.0, kPlenty), 4);  // bodies turn all the same
+  EXPECT_EQ(d.parts(coarseness(0.0, 4e4), 1.0, kPlenty, kPlenty), 1);  // 1616 parts
+  EXPECT_EQ(d.parts(coarseness(3.0, 4e4), 1.0, kPlenty, kPlenty), 4);  // bodies turn all the same
 }
 
 TEST(StepDivision, OfAMeetingLastsOneStep) {
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(coarseness(0.0, 0.0, 0.02), 1.0, kPlenty), 8);  // 0.4 % of the length each
+  EXPECT_EQ(d.parts(coarseness(0.0, 0.0, 0.02), 1.0, kPlenty, kPlenty),
+            8);  // 0.4 % of the length each
   EXPECT_EQ(d.finest(), 8);
   EXPECT_EQ(d.begin(), 1);
 }
@@ -85,13 +88,13 @@ TEST(StepDivision, StopsAtAnEighthOfAStepThatLeadsToAnOverlap) {
   };
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(leading(1.0), 1.0, kPlenty), 1);
-  EXPECT_EQ(d.parts(leading(3.0), 1.0, kPlenty), 4);
-  EXPECT_EQ(d.parts(leading(1.5), 0.25, kPlenty), 2);
-  EXPECT_EQ(d.parts(leading(1e6), 1.0, kPlenty), 8);
-  EXPECT_EQ(d.parts(leading(1e6), 0.125, kPlenty), 1);
+  EXPECT_EQ(d.parts(leading(1.0), 1.0, kPlenty, kPlenty), 1);
+  EXPECT_EQ(d.parts(leading(3.0), 1.0, kPlenty, kPlenty), 4);
+  EXPECT_EQ(d.parts(leading(1.5), 0.25, kPlenty, kPlenty), 2);
+  EXPECT_EQ(d.parts(leading(1e6), 1.0, kPlenty, kPlenty), 8);
+  EXPECT_EQ(d.parts(leading(1e6), 0.125, kPlenty, kPlenty), 1);
   EXPECT_EQ(d.begin(), 8);  // the overlap would be in the middle of the next step
-  EXPECT_EQ(d.parts(leading(0.1), 0.125, kPlenty), 1);
+  EXPECT_EQ(d.parts(leading(0.1), 0.125, kPlenty, kPlenty), 1);
   EXPECT_EQ(d.begin(), 1);  // the step after it need not lead to one
 }
 
@@ -99,19 +102,19 @@ TEST(StepDivision, IsOffForANamedScheme) {
   StepDivision d(false);
   EXPECT_FALSE(d.divides());
   EXPECT_EQ(d.begin(), 1);
-  EXPECT_EQ(d.parts(coarseness(10.0, 10.0, 1.0), 1.0, kPlenty), 1);
+  EXPECT_EQ(d.parts(coarseness(10.0, 10.0, 1.0), 1.0, kPlenty, kPlenty), 1);
 }
 
 TEST(StepDivision, StopsAtItsBound) {
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(coarseness(100.0, 0.0), 1.0, 8), 8);
-  EXPECT_EQ(d.parts(coarseness(12.5, 0.0), 0.125, 8), 1);
+  EXPECT_EQ(d.parts(coarseness(100.0, 0.0), 1.0, 8, 8), 8);
+  EXPECT_EQ(d.parts(coarseness(12.5, 0.0), 0.125, 8, 8), 1);
 }
 
 TEST(StepDivision, IsKeptAndExamined) {
   StepDivision d(true), same(true);
-  d.begin(), d.parts(coarseness(2.5, 0.0), 1.0, kPlenty);
+  d.begin(), d.parts(coarseness(2.5, 0.0), 1.0, kPlenty, kPlenty);
   Archive out;
   d.archive(out);
   Archive in(out.bytes());
@@ -129,7 +132,7 @@ TEST(StepDivision, LetsForcesThatAreDampedBringInLittle) {
   const auto parts = [](double gain) {
     StepDivision d(true);
     d.begin();
-    return d.parts(Coarseness::of(0.0, {}, 0.0, 0.0, gain), 1.0, 64);
+    return d.parts(Coarseness::of(0.0, {}, 0.0, 0.0, gain), 1.0, 64, 64);
   };
   EXPECT_EQ(parts(0.0), 1);
   EXPECT_EQ(parts(Coarseness::kMostGain), 1);
@@ -144,13 +147,14 @@ TEST(StepDivision, FollowsAWayThatBends) {
   };
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(of(0.9), 1.0, kPlenty), 1);
-  EXPECT_EQ(d.parts(of(9.0), 1.0, kPlenty), 4);  // three parts of error 9/27 each would add to 1
+  EXPECT_EQ(d.parts(of(0.9), 1.0, kPlenty, kPlenty), 1);
+  EXPECT_EQ(d.parts(of(9.0), 1.0, kPlenty, kPlenty),
+            4);  // three parts of error 9/27 each would add to 1
   // A quarter may make a quarter of the error: one of 9/64 is fine.
-  EXPECT_EQ(d.parts(of(9.0 / 64.0), 0.25, kPlenty), 1);
+  EXPECT_EQ(d.parts(of(9.0 / 64.0), 0.25, kPlenty, kPlenty), 1);
   EXPECT_EQ(d.begin(), 4);  // the next step bends alike
   // No more than kMostCurveParts in all.
-  EXPECT_EQ(d.parts(of(1e9), 1.0 / Coarseness::kMostCurveParts, kPlenty), 1);
+  EXPECT_EQ(d.parts(of(1e9), 1.0 / Coarseness::kMostCurveParts, kPlenty, kPlenty), 1);
 }
 
 }  // namespace

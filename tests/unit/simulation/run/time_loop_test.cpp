@@ -106,11 +106,11 @@ TEST(SearchPauses, AreKeptAndExamined) {
 /// A stepper that answers as told, and counts.
 class Counted final : public Stepper {
  public:
-  StepReport attempt(double tEnd, double dt, bool cheaply) override {
-    ++attempts, cheap += cheaply;
-    begin_ = t_, t_ = tEnd;
+  StepReport attempt(double tEnd, double dt, StepTry how) override {
+    ++attempts, cheap += how == StepTry::cheap;
     StepReport report;
-    report.dt = dt;
+    report.dt = how == StepTry::whole && dt > endsAbove ? dt / endsAfter : dt;
+    begin_ = t_, t_ = report.dt < dt ? begin_ + report.dt : tEnd;
     if (!solves(dt)) report.solved.status = SolveStatus::stalled;
     return report;
   }
@@ -140,8 +140,10 @@ class Counted final : public Stepper {
   bool passes = false;
   double passesAbove = 1e9;  // length from which a step passes a contact in its middle [s]
   double turnRate = 0.0;     // [rad/s]
-  double workOfOne = 6.0;    // work of an attempt
-  double workOfLook = 0.0;   // work of a look for passed contacts
+  // Whole steps longer than this end after the first of so many parts.
+  double endsAbove = 1e9, endsAfter = 4.0;
+  double workOfOne = 6.0;   // work of an attempt
+  double workOfLook = 0.0;  // work of a look for passed contacts
   long looks = 0, attempts = 0, rejected = 0, left = 0, divisions = 0, cheap = 0;
   int finest = 0;
 
@@ -199,6 +201,24 @@ TEST(FixedSteps, ThatAreSolvedInHalvesKeepThem) {
   FixedStep loop(1.0, NonConvergence::retry, 6);
   for (int i = 0; i < 10; ++i) loop.next(s, 1000.0);
   EXPECT_EQ(s.attempts, 10 * (1 + 2 + 4 + 8));
+}
+
+TEST(FixedSteps, ThatTheSchemeEndsEarlyGoOnInPartsOfTheSameLength) {
+  Counted s;
+  s.endsAbove = 0.5;
+  FixedStep loop(1.0, NonConvergence::warn, 6);
+  for (int i = 1; i <= 3; ++i) {
+    EXPECT_EQ(loop.next(s, 1000.0), Advance::taken);
+    EXPECT_EQ(s.t(), i);
+    EXPECT_EQ(s.attempts, 4 * i);
+  }
+  EXPECT_EQ(s.rejected, 0);
+  // Where the first part is too coarse, all of them are divided: each turns by 2 rad, where 1 is fine.
+  FixedStep dividing(1.0, NonConvergence::warn, 6, true);
+  Counted fast;
+  fast.endsAbove = 0.5, fast.turnRate = 8.0;
+  EXPECT_EQ(dividing.next(fast, 1000.0), Advance::taken);
+  EXPECT_EQ(fast.attempts, 1 + 8);
 }
 
 TEST(FixedSteps, ThatArePassedAgainAndAgainTakeFewPartsInTheEnd) {
