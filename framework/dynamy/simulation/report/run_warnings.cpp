@@ -18,16 +18,22 @@ constexpr double kOverlapWays = 2.0;           ///< of the distance in a step
 constexpr double kMostOfRun = 0.5;             ///< share of the time, stepped
 constexpr double kSameOverlap = 1.01;          ///< of the overlap at the start
 constexpr double kStart = 1e-6;                ///< of the scene's length
-constexpr double kPushed = 1e-10;              ///< the same, whose energy shows where all rests
-constexpr double kJoint = 1e-3;                ///< of the scene's length
-constexpr double kOmegaDt = 1.0;               ///< [rad]
-constexpr double kTurn = 1.0;                  ///< [rad]
-constexpr double kSteppedErrors = 10.0;        ///< sum over steps in time, in tolerances
-constexpr double kLeastShare = 1e-9;           ///< shares below this are not reported
+/// Part of all steps that are few: what they do to energy, joints and gaps is judged anyway.
+constexpr double kFew = 0.01;
+constexpr double kPushed = 1e-10;        ///< the same, whose energy shows where all rests
+constexpr double kJoint = 1e-3;          ///< of the scene's length
+constexpr double kOmegaDt = 1.0;         ///< [rad]
+constexpr double kTurn = 1.0;            ///< [rad]
+constexpr double kSteppedErrors = 10.0;  ///< sum over steps in time, in tolerances
+constexpr double kLeastShare = 1e-9;     ///< shares below this are not reported
 
 double ratio(double value, double scale) { return scale > 0.0 ? value / scale : 0.0; }
 
 using Warnings = std::vector<Warning>;
+
+bool few(long steps, const RunReport& r) {
+  return static_cast<double>(steps) <= kFew * static_cast<double>(r.steps);
+}
 
 /// What makes the figures of the run better.
 std::string remedy(const RunReport& r, double length) {
@@ -40,11 +46,12 @@ std::string remedy(const RunReport& r, double length) {
 void aboutSolver(const RunReport& r, Warnings& out) {
   if (r.solver.unconverged == 0) return;
   if (r.solver.residual.value <= kSolvedResidual) {
-    out.push_back({"unsolved",
-                   fmt::format("in {} steps positions or velocities were not brought to what they "
+    out.push_back({few(r.solver.unconverged, r) ? "unprojected" : "unsolved",
+                   fmt::format("in {} step{} positions or velocities were not brought to what they "
                                "hold, or the scheme's own iteration did not end; their inclusions "
                                "are solved, residual {:.2g} at most",
-                               r.solver.unconverged, r.solver.residual.value),
+                               r.solver.unconverged, r.solver.unconverged == 1 ? "" : "s",
+                               r.solver.residual.value),
                    r.solver.unconverged, r.solver.unsolved.t, r.solver.unsolved.contact});
     return;
   }
@@ -155,7 +162,7 @@ void aboutParts(const RunReport& r, Warnings& out) {
 
 void aboutSimpler(const RunReport& r, Warnings& out) {
   if (r.simpler.steps == 0) return;
-  out.push_back({"simpler",
+  out.push_back({few(r.simpler.steps, r) ? "simpler step" : "simpler",
                  fmt::format("<EnergyMomentum> found no solution with joints at their positions in "
                              "{} step{} (the first ends at t = {:.6g} s): StaggeredMoreau took "
                              "them, with joints in the mean; take a smaller step",
@@ -230,12 +237,13 @@ void aboutStep(const RunReport& r, double length, Warnings& out) {
                                              t.fall, t.fall / length)});
 }
 
-constexpr std::array<WarningKind, 19> kKinds = {{
+constexpr std::array<WarningKind, 21> kKinds = {{
     {"contradiction", Says::qualifies, "joints or drives contradict each other at the start"},
     {"start positions", Says::note, "joints did not fit at the start, bodies were moved onto them"},
     {"start velocities", Says::note,
      "joints do not allow the start velocities, they were projected"},
     {"unsolved", Says::qualifies, "an inclusion missed its tolerance"},
+    {"unprojected", Says::note, "in a few solved steps positions or velocities were not projected"},
     {"energy gain", Says::qualifies, "T + V rose and nothing brought it in"},
     {"energy", Says::warning, "energy went where no force did work: the scheme's own error"},
     {"damped", Says::note, "energy was lost in steps that damp forces which they do not resolve"},
@@ -247,6 +255,7 @@ constexpr std::array<WarningKind, 19> kKinds = {{
     {"joints", Says::qualifies, "a joint is off at the end of a step"},
     {"passed", Says::qualifies, "fast bodies may have passed others in a step of very many hits"},
     {"simpler", Says::qualifies, "a simpler scheme took steps that the chosen one did not solve"},
+    {"simpler step", Says::note, "a simpler scheme took a few such steps"},
     {"resolution", Says::warning, "steps are long for the motion"},
     {"rest", Says::warning, "forces changed unseen while nothing moved"},
     {"stepped", Says::note, "switches were stepped in time, with errors near the tolerance"},

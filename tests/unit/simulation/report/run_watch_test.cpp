@@ -158,6 +158,22 @@ TEST(RunWatch, StepsInTimeAreANoteIfTheirErrorsAddUpToTenTolerances) {
   EXPECT_EQ(warningsOf(r, 1.0)[0].kind, "time stepping");
 }
 
+TEST(RunWatch, NotesAFewStepsOfASimplerSchemeOrWithoutProjection) {
+  RunReport r;
+  r.steps = 1000, r.simpler.steps = 10;
+  EXPECT_TRUE(warns(warningsOf(r, 1.0), "simpler step"));
+  r.simpler.steps = 11;
+  EXPECT_TRUE(warns(warningsOf(r, 1.0), "simpler"));
+  r = {};
+  r.steps = 1000, r.solver.solves = 1000, r.solver.unconverged = 10;
+  r.solver.residual.value = 1e-10;  // solved; a projection did not end
+  EXPECT_TRUE(warns(warningsOf(r, 1.0), "unprojected"));
+  r.solver.unconverged = 11;
+  EXPECT_TRUE(warns(warningsOf(r, 1.0), "unsolved"));
+  r.solver.unconverged = 1, r.solver.residual.value = 1e-3;
+  EXPECT_TRUE(warns(warningsOf(r, 1.0), "unsolved"));
+}
+
 TEST(RunWatch, KindsThatQualifyARunAreThoseOfWhatTheModelAsks) {
   for (const char* kind : {"unsolved", "energy gain", "overlap", "joints", "time stepping"})
     EXPECT_EQ(warningKind(kind)->says, Says::qualifies) << kind;
