@@ -49,7 +49,13 @@ void addShow(CLI::App& command, Texts& t) {
           "--signals", t.signals,
           "format of the recorded signals, replaces the model's: csv, or hdf5 for long runs")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"csv", "hdf5"}));
+      ->check([](const std::string& text) {
+        return text == "csv" || text == "hdf5" ? std::string()
+                                               : '"' + text +
+                                                     "\" is no format, which are csv and hdf5; "
+                                                     "which signals are recorded stands "
+                                                     "in the model: <record signals=\"…\"/>";
+      });
   addAccept(command, t.accept);
   auto* every = command.add_option("--checkpoint", t.checkpoint,
                                    "write a checkpoint every TIME of wall time; default: 10 s, "

@@ -57,7 +57,8 @@ void readRange(Variation& v, const std::vector<std::string>& part, const std::st
   const double from = quantity(v, part[0], option), to = quantity(v, part[1], option);
   const double count = quantity(v, part[2], option);
   if (count != std::floor(count) || count < 2 || count > static_cast<double>(kMostRuns))
-    fail(option, v.name, text, "the count of a range is a whole number from 2 on");
+    fail(option, v.name, text,
+         "the last number of FROM:TO:COUNT is how many values there are: a whole number from 2 on");
   if (log && !(from > 0.0 && to > 0.0))
     fail(option, v.name, text, "a range with equal ratios needs positive bounds");
   for (double i = 0; i < count; ++i) {

@@ -80,17 +80,19 @@ TEST_F(Scripts, RunBuildsThePlugInsThatAModelNames) {
   }
   for (const char* name : {"lift", "bike", "tyres", "named", "other"})
     fs::create_directories(clone() / "plugins" / name),
-        write("a clone/plugins/" + std::string(name) + "/CMakeLists.txt", "");
+        write("a clone/plugins/" + std::string(name) + "/CMakeLists.txt",
+              "dynamy_add_plugin(" + std::string(name) + " a.cpp)\n");
   write(
       "some models/model.xml",
       "<model>\n<plugin library='bike'/><plugin\n  library = \"own.so\"/>"
       "<include prefix=\"a\" file=\"parts/lift.xml\"/><include file='parts/lift.xml'/>\n</model>");
   write("some models/parts/lift.xml",
         "<part><plugin\n  library=\"lift\"/><include file=\"../model.xml\"/></part>");
-  const std::string call = "cd '" + path("some models") + "' && PATH='" + path("bin") +
-                           "':\"$PATH\" '" + (clone() / "scripts/run").string() +
-                           "' model.xml --plugin named --plugin=tyres --set mu=1 > '" +
-                           path("out") + "' 2> '" + path("err") + "'";
+  const std::string call =
+      "cd '" + path("some models") + "' && PATH='" + path("bin") + "':\"$PATH\" '" +
+      (clone() / "scripts/run").string() +
+      "' model.xml --plugin named --plugin=tyres --set mu=1 --out . --trust other > '" +
+      path("out") + "' 2> '" + path("err") + "'";
   configuredIn(clone());
   EXPECT_EQ(WEXITSTATUS(std::system(call.c_str())), 0) << err();
   EXPECT_EQ(readWholeFile(clone() / "called"),

@@ -334,7 +334,7 @@ TEST_F(Sweep, MistakesAreNamed) {
       {"--set hh=1,2", "no parameter \"hh\" — did you mean \"h\"?", 2},
       {"--set h=1", "nothing varies", 64},
       {"--set h=1:2", "a range is FROM:TO:COUNT, or FROM:TO:COUNT:log", 64},
-      {"--set h=1:2:2.5", "the count of a range is a whole number from 2 on", 64},
+      {"--set h=1:2:2.5", "how many values there are: a whole number from 2 on", 64},
       {"--set h=0:2:3:log", "needs positive bounds", 64},
       {"--set h=a:2:3", "\"h=a\": ", 64},
       {"--set h=1,,2", "a value is missing", 64},

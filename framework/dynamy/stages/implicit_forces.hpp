@@ -1,5 +1,5 @@
-/// ImplicitForces: the forces that a step takes at its end, those of stiff elements and those that
-/// the step does not resolve (StiffPart, UnresolvedForces).
+/// ImplicitForces: the forces that a step takes implicitly: those of stiff elements, at its end those that
+/// it does not resolve, and by the midpoint rule some that it does (StiffPart, UnresolvedForces).
 ///
 ///   M̂ (u_free − u^A) = Δt (h + Δt s K u^A),   M̂ = M − b Δt D − a Δt² K
 #pragma once

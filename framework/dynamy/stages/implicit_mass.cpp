@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/stages/implicit_mass.hpp>
 
 namespace dynamy {
@@ -105,7 +106,7 @@ void ImplicitMass::factor(const MassMatrix& mass, double dt, const WeightedStiff
     Group& g = groups_[static_cast<std::size_t>(k)];
     g.lu.compute(g.Mhat);
     const auto n = static_cast<double>(g.u.size());
-    work_ += n * n * n / kFactor;
+    work_ += std::ceil(n * n * n / kFactor);
   }
 }
 
@@ -168,7 +169,7 @@ void ImplicitMass::respond(const ContactSet& contacts, const MassMatrix& mass, i
       const Group& group = groups_[static_cast<std::size_t>(g)];
       solveGroup(group, force_, column_);
       const auto n = static_cast<double>(group.u.size());
-      work_ += n * n / kSolve;
+      solved_ += n * n / kSolve;
     } else {
       column_.segment(s.u0, s.nu) = mass.inverse(s.block) * force_.segment(s.u0, s.nu);
     }
@@ -205,6 +206,7 @@ void ImplicitMass::delassus(const ContactSet& contacts, const MassMatrix& mass,
   G.value.resize(static_cast<std::size_t>(size));
   force_.setZero(nu_), column_.setZero(nu_);
   filled_.assign(G.first.begin(), G.first.end());  // columns come in ascending order
+  solved_ = 0.0;
   for (int j = 0; j < n; ++j) {
     const std::vector<int>& near = near_[static_cast<std::size_t>(j)];
     for (int c = 0; c < contacts.dim(j); ++c) {
@@ -219,6 +221,7 @@ void ImplicitMass::delassus(const ContactSet& contacts, const MassMatrix& mass,
     }
     for (const int i : near) ++filled_[static_cast<std::size_t>(i)];
   }
+  work_ += std::ceil(solved_);
   delassus.given(contacts, std::move(G));
 }
 

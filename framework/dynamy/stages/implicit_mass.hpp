@@ -54,7 +54,8 @@ class ImplicitMass {
   std::vector<std::ptrdiff_t> filled_;            // next block to be filled in each row of blocks
   mutable Eigen::VectorXd part_;
   Eigen::VectorXd force_, column_;
-  double work_ = 0.0;
+  double work_ = 0.0;    // whole numbers, so that differences are exact
+  double solved_ = 0.0;  // work of the columns of one Ĝ
 };
 
 }  // namespace dynamy

@@ -92,7 +92,8 @@ struct LocatedImpact {
 };
 
 struct StepReport {
-  double dt = 0.0;  ///< length of the step that was taken [s]
+  double dt =
+      0.0;  ///< length of the step that was taken [s]; with Halving::ends a half, quarter, …
   SolveReport solved;
   int contacts = 0;  ///< in the inclusion problem
   /// Why the scheme cannot take this step, whatever Δt is (it knows no impact, …); empty: it can.

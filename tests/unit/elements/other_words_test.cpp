@@ -138,8 +138,9 @@ TEST(OtherWords, AnAttributeIsThatOfTheElementAtHand) {
             "in dynamY the coefficient of friction is mu=\"…\"");
   EXPECT_EQ(attributeOfOthers("friction", sphere).name, "");
   EXPECT_EQ(attributeOfOthers("friction", sphere).hint,
-            "in dynamY friction belongs to the law of two materials: "
-            "<UnilateralCoulomb mu=\"…\">");
+            "in dynamY friction belongs to the law of two materials, <UnilateralCoulomb mu=\"…\">, "
+            "or is a "
+            "law inside of a joint, <GivenFriction force=\"…\">");
   EXPECT_EQ(attributeOfOthers("colour", law).hint,
             "in dynamY a colour belongs to a shape: <Sphere colour=\"…\">");
   EXPECT_EQ(attributeOfOthers("shininess", law).hint, "");

@@ -49,6 +49,7 @@ class TokenReader {
   std::size_t lengthFrom(const Token& first) const {
     return last().offset + last().length - first.offset;
   }
+  bool isOne() const { return tokens_.size() <= 2; }  ///< beside the end
   std::string found(const Token& token) const { return ", found " + describe(token, text_); }
 
  private:
@@ -353,7 +354,11 @@ class Parser {
       return graph_.constant(found->value);
     }
     if (name == "pi") return graph_.constant(std::numbers::pi);
-    if (name == "e") return graph_.constant(std::numbers::e);
+    if (name == "e") {
+      if (tokens_.isOne())
+        refuse("there is no parameter \"e\"; Euler's number alone is exp(1)", token, "exp(1)");
+      return graph_.constant(std::numbers::e);
+    }
     unknownSymbol(token);
   }
 

@@ -115,12 +115,12 @@ void aboutPositions(const RunReport& r, double length, Warnings& out) {
     const bool risen = regain > kEnergy;
     out.push_back({risen ? "start" : "start overlap",
                    fmt::format("the model puts bodies into each other: {:.2g} m at {}; pushing "
-                               "them apart {}",
+                               "them apart changes the energy{}",
                                r.gaps.atStart.value, r.gaps.atStart.name,
-                               risen ? fmt::format("raised T + V, by {:.3g} J, {:.2g} of the "
+                               risen ? fmt::format(", and T + V rose by {:.3g} J, {:.2g} of the "
                                                    "largest T",
                                                    r.trust.regain, regain)
-                                     : "changes the energy"),
+                                     : ""),
                    1, 0.0, r.gaps.atStart.name});
   }
   if (overlap > kMuchOverlap * length + given)
@@ -249,7 +249,7 @@ constexpr std::array<WarningKind, 21> kKinds = {{
     {"damped", Says::note, "energy was lost in steps that damp forces which they do not resolve"},
     {"impact law", Says::warning, "impacts would have gained energy by their law"},
     {"restitution", Says::note, "impacts would have gained energy by their law, and rebound less"},
-    {"start", Says::warning, "bodies begin inside each other, and pushing them apart raised T + V"},
+    {"start", Says::warning, "bodies begin inside each other, and T + V rose"},
     {"start overlap", Says::note, "the model puts bodies into each other"},
     {"overlap", Says::qualifies, "bodies overlap by more than a step explains"},
     {"joints", Says::qualifies, "a joint is off at the end of a step"},

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/core/declared/attributes.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
@@ -59,7 +60,9 @@ bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop, St
   system_.limits.keeping = !(searches && model_.schemeIsDefault()) ? Keeping::none
                            : dt < kPart * model_.simulation.step   ? Keeping::all
                                                                    : Keeping::besideDamped;
-  system_.limits.halving = how == StepTry::whole ? Halving::ends : Halving::none;
+  system_.limits.halving = how != StepTry::whole ? Halving::none
+                           : searches            ? Halving::ends
+                                                 : Halving::within;
   system_.limits.effort = effort;
   report_ = model_.scheme().step(system_, model_.solver(), x_, dt);
   while (sleep_ != nullptr && sleep_->wakes(system_, before_)) {
@@ -72,7 +75,8 @@ bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop, St
   }
   // After a failed search a scheme lowers the effort for the rest of the attempt.
   if (searches && !cheaply) searches_.done(system_.limits.effort == Effort::full);
-  if (searches) x_.t = report_.dt < dt ? before_.t + report_.dt : tEnd;
+  if (searches)
+    x_.t = report_.dt > 0.0 && std::lround(dt / report_.dt) > 1 ? before_.t + report_.dt : tEnd;
   if (searches && model_.schemeIsDefault()) kept_.keep(system_, report_, before_, x_);
   project();
   system_.remember(x_);

@@ -6,6 +6,8 @@
 namespace dynamy {
 namespace {
 constexpr int kMostHalvings = 6;
+/// Parts of a step that a scheme ends early, down to this part of its length.
+constexpr double kMostEarly = 8.0;
 /// See Allowance::begin.
 constexpr int kFewer = 4, kMore = 2;
 /// Full steps after one in parts in which fast bodies are expected.
@@ -119,8 +121,9 @@ bool FixedStep::full(Stepper& stepper, double tEnd, double dt) {
 
 int FixedStep::partsOf(Stepper& stepper, double dt, long evaluations) {
   if (!division_.divides()) return 1;
-  const long most = std::max(partsWithinWork(nu_, evaluations), 1l);
-  const long against = budget_.exhausted() ? most : StepDivision::kAgainstGains * most;
+  const long within = partsWithinWork(nu_, evaluations), most = std::max(within, 1l);
+  const long against =
+      budget_.exhausted() ? most : std::max(StepDivision::kAgainstGains * within, 1l);
   return division_.parts(stepper.coarseness(), dt / whole_, most, against);
 }
 
@@ -133,7 +136,8 @@ bool FixedStep::divide(Stepper& stepper, double tEnd, double dt, int n) {
   return true;
 }
 
-bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth, StepTry how) {
+bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth, double shortest) {
+  if (!(shortest > 0.0)) shortest = dt / kMostEarly;
   // An attempt would end among bodies that it has passed, which takes long to solve.
   if (const Passing p = ahead(stepper, dt)) {
     if (parts_.take()) return inParts(stepper, p, tEnd, dt, depth);
@@ -141,6 +145,7 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth, Ste
   }
   const Spent before = stepper.spent();
   const bool cheap = budget_.exhausted();
+  const StepTry how = dt > 1.5 * shortest ? StepTry::whole : StepTry::part;
   const StepReport report = stepper.attempt(tEnd, dt, cheap ? StepTry::cheap : how);
   const Spent after = stepper.spent();
   // The first attempt of a run, also of a resumed one, looks for joints besides.
@@ -158,7 +163,8 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth, Ste
             : least + static_cast<long>((after.implicit - before.implicit) / std::max(nu_, 1));
   // Too coarse for the motion: all else is looked at in its parts.
   const int taken = report.dt > 0.0 ? static_cast<int>(std::lround(dt / report.dt)) : 1;
-  if (const int n = sound ? partsOf(stepper, report.dt, ofPart) : 1; n > 1) {
+  const double length = taken > 1 ? report.dt : dt;
+  if (const int n = sound ? partsOf(stepper, length, ofPart) : 1; n > 1) {
     stepper.reject();
     return divide(stepper, tEnd, dt, n * taken);
   }
@@ -185,14 +191,16 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth, Ste
     return stepper.fail(report);
   }
   // A state that is not sound ends the run there.
-  return stepper.accept() && (taken <= 1 || goOn(stepper, tEnd, report.dt, taken - 1, depth));
+  return stepper.accept() &&
+         (taken <= 1 || goOn(stepper, tEnd, report.dt, taken - 1, depth, shortest));
 }
 
-/// The other n parts of length dt of a step of which the scheme took one.
-bool FixedStep::goOn(Stepper& stepper, double tEnd, double dt, int n, int depth) {
+/// The other n parts of length dt of a step of which the scheme took one. They may be shorter again, down to
+/// `shortest`.
+bool FixedStep::goOn(Stepper& stepper, double tEnd, double dt, int n, int depth, double shortest) {
   const double begin = stepper.t();
   for (int k = 1; k <= n; ++k)
-    if (!advance(stepper, k < n ? begin + k * dt : tEnd, dt, depth, StepTry::part)) return false;
+    if (!advance(stepper, k < n ? begin + k * dt : tEnd, dt, depth, shortest)) return false;
   return true;
 }
 

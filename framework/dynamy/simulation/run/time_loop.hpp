@@ -24,7 +24,7 @@ struct Spent {
 /// How an attempt is made.
 enum class StepTry : std::uint8_t {
   whole,  ///< where the scheme solves shorter parts alone, it ends after the first one
-  part,   ///< one of these parts
+  part,   ///< one of these parts that is not to be divided any more
   cheap   ///< at a small cost, because the full step has used up its work; the run reports this
 };
 
@@ -158,8 +158,8 @@ class FixedStep final : public TimeLoop {
   /// Takes a step in n equal parts.
   bool divide(Stepper& stepper, double tEnd, double dt, int n);
   /// Takes one step with the policy for missed tolerances; it has been halved `depth` times so far.
-  bool advance(Stepper& stepper, double tEnd, double dt, int depth, StepTry how = StepTry::whole);
-  bool goOn(Stepper& stepper, double tEnd, double dt, int n, int depth);
+  bool advance(Stepper& stepper, double tEnd, double dt, int depth, double shortest = 0.0);
+  bool goOn(Stepper& stepper, double tEnd, double dt, int n, int depth, double shortest);
   /// Takes a step in parts, such that the contact of `p` closes in a part that is too short to
   /// matter.
   bool inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth);

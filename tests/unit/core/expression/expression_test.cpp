@@ -128,7 +128,9 @@ TEST(Expression, ComputesIntegerPowersByProducts) {
 
 TEST(Expression, LetsTheModelShadowPiAndE) {
   EXPECT_EQ(constantOf("pi"), std::numbers::pi);
-  EXPECT_EQ(constantOf("e"), std::numbers::e);
+  EXPECT_EQ(constantOf("1*e"), std::numbers::e);
+  // Alone it is rather a parameter that was forgotten.
+  EXPECT_THROW(constantOf("e"), ExpressionError);
   SymbolTable symbols;
   symbols.constant("e", 0.8);
   EXPECT_EQ(evaluateConstant("(1+e)/2", symbols), 0.9);

@@ -79,10 +79,10 @@ TEST(Describe, EndsTheFirstSentenceAtItsDotOrBeforeAnEquation) {
 
 TEST(Describe, SaysWhereNamesAreIfAWordIsNowhere) {
   try {
-    describe(dummy::registry(), "gyroscope");
+    describe(dummy::registry(), "zither");
     FAIL();
   } catch (const ModelError& e) {
-    EXPECT_STREQ(e.what(), "error: there is no \"gyroscope\" — dynamy list shows all names");
+    EXPECT_STREQ(e.what(), "error: there is no \"zither\" — dynamy list shows all names");
   }
 }
 
