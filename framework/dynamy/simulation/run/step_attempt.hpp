@@ -7,6 +7,7 @@
 #include <dynamy/simulation/run/kept_energy.hpp>
 #include <dynamy/simulation/run/sleep.hpp>
 #include <dynamy/simulation/run/step_coarseness.hpp>
+#include <dynamy/simulation/run/time_loop.hpp>
 #include <dynamy/stages/projection.hpp>
 #include <dynamy/stages/search_pauses.hpp>
 
