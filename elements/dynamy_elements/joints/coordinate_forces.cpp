@@ -58,7 +58,9 @@ void JointSpring::declare(Attributes& a) {
 }
 
 JointSpring::JointSpring(const Parameters& x)
-    : CoordinateForce(x), stiffness_(x["stiffness"]), damping_(x["damping"]), rest_(x["rest"]) {}
+    : CoordinateForce(x), stiffness_(x["stiffness"]), damping_(x["damping"]), rest_(x["rest"]) {
+  if (x["coordinate"].text == "angle") refuseDegrees(x["rest"]);
+}
 
 double JointSpring::force(const Kinematics&, double x, double rate, double* c, double* d) const {
   if (c) *c = stiffness_;
