@@ -11,10 +11,10 @@
 
 namespace dynamy {
 
-/// What a scheme does that can take a step in shorter parts alone.
+/// What a scheme does where it can take a step in shorter parts alone.
 enum class Halving : std::uint8_t {
   within,  ///< takes them all: who sees the step sees its end
-  ends,    ///< ends the step after the first part (StepReport::dt)
+  ends,    ///< ends the step after the first part (StepReport::dt): the caller takes the others
   none     ///< takes the step as it can: it is such a part
 };
 

@@ -92,8 +92,9 @@ struct LocatedImpact {
 };
 
 struct StepReport {
-  double dt =
-      0.0;  ///< length of the step that was taken [s]; with Halving::ends a half, quarter, …
+  /// Length of the step that was taken [s]: that which was asked for, with Halving::ends a half, a quarter, …
+  /// of it as well, and any shorter one where the scheme chooses.
+  double dt = 0.0;
   SolveReport solved;
   int contacts = 0;  ///< in the inclusion problem
   /// Why the scheme cannot take this step, whatever Δt is (it knows no impact, …); empty: it can.

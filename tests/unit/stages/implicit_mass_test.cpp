@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <dynamy/stages/implicit_mass.hpp>
 
+#include <tuple>
 #include "unit/solver/inclusion_fixture.hpp"
 
 namespace dynamy {
@@ -59,6 +60,30 @@ TEST(ImplicitMass, FormsTheDelassusOperatorAndVelocitiesOfPercussions) {
   VectorXd u = VectorXd::Ones(3);
   x.mass.addVelocity(x.scene.contacts, x.scene.mass, Lambda.data(), u);
   EXPECT_LE((x.Mhat * (u - VectorXd::Ones(3)) - Wt.transpose() * Lambda).norm(), kTolerance);
+}
+
+TEST(ImplicitMass, CountsItsWork) {
+  // Twenty masses in a chain of springs: one group of 20, 20³/4000 for its factors. Two contacts: 2 · 20²/300,
+  // rounded up.
+  constexpr int n = 20;
+  fixture::Inclusion scene(std::vector<MatrixXd>(n, MatrixXd{{1.0}}));
+  WeightedStiffness chain;
+  for (int i = 0; i + 1 < n; ++i)
+    for (const auto& [a, b, K] : {std::tuple{i, i, -1.0}, std::tuple{i, i + 1, 1.0},
+                                  std::tuple{i + 1, i, 1.0}, std::tuple{i + 1, i + 1, -1.0}})
+      chain.entries.push_back({a, b, K, 0.0});
+  chain.kept = chain.entries.size();
+  ImplicitMass mass;
+  mass.resize(n);
+  mass.factor(scene.mass, kDt, chain);
+  EXPECT_EQ(mass.work(), 2.0);
+  for (const int i : {0, n - 1}) {
+    MatrixXd row = MatrixXd::Zero(1, n);
+    row(0, i) = 1.0;
+    scene.contact(kUnilateral, row);
+  }
+  mass.delassus(scene.contacts, scene.mass, scene.G);
+  EXPECT_EQ(mass.work(), 2.0 + 3.0);
 }
 
 TEST(WeightedStiffness, GivesTheForceThatAStepUsed) {

@@ -18,14 +18,14 @@ constexpr double kOverlapWays = 2.0;           ///< of the distance in a step
 constexpr double kMostOfRun = 0.5;             ///< share of the time, stepped
 constexpr double kSameOverlap = 1.01;          ///< of the overlap at the start
 constexpr double kStart = 1e-6;                ///< of the scene's length
+constexpr double kPushed = 1e-10;              ///< the same, whose energy shows where all rests
+constexpr double kJoint = 1e-3;                ///< of the scene's length
+constexpr double kOmegaDt = 1.0;               ///< [rad]
+constexpr double kTurn = 1.0;                  ///< [rad]
+constexpr double kSteppedErrors = 10.0;        ///< sum over steps in time, in tolerances
+constexpr double kLeastShare = 1e-9;           ///< shares below this are not reported
 /// Part of all steps that are few: what they do to energy, joints and gaps is judged anyway.
 constexpr double kFew = 0.01;
-constexpr double kPushed = 1e-10;        ///< the same, whose energy shows where all rests
-constexpr double kJoint = 1e-3;          ///< of the scene's length
-constexpr double kOmegaDt = 1.0;         ///< [rad]
-constexpr double kTurn = 1.0;            ///< [rad]
-constexpr double kSteppedErrors = 10.0;  ///< sum over steps in time, in tolerances
-constexpr double kLeastShare = 1e-9;     ///< shares below this are not reported
 
 double ratio(double value, double scale) { return scale > 0.0 ? value / scale : 0.0; }
 

@@ -22,8 +22,8 @@ class StepAttempt {
   /// Evaluates the initial state and moves it onto the joints; reports the corrections.
   StartReport start();
   /// Takes one step of length dt [s] to the instant tEnd [s]. Schemes that choose their steps may
-  /// stop earlier, others after a part (StepTry). If `stop` becomes true meanwhile, the step is undone and the result is false; a
-  /// flag that is true before is ignored. Null: no flag.
+  /// stop earlier, others after a part (StepTry). If `stop` becomes true meanwhile, the step is undone
+  /// and the result is false; a flag that is true before is ignored. Null: no flag.
   bool take(double tEnd, double dt, const std::atomic<bool>* stop, StepTry how = StepTry::whole);
   /// Goes back to the state before the step.
   void undo() { x_ = before_; }

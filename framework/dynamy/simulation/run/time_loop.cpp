@@ -195,8 +195,6 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth, dou
          (taken <= 1 || goOn(stepper, tEnd, report.dt, taken - 1, depth, shortest));
 }
 
-/// The other n parts of length dt of a step of which the scheme took one. They may be shorter again, down to
-/// `shortest`.
 bool FixedStep::goOn(Stepper& stepper, double tEnd, double dt, int n, int depth, double shortest) {
   const double begin = stepper.t();
   for (int k = 1; k <= n; ++k)

@@ -157,8 +157,10 @@ class FixedStep final : public TimeLoop {
   int partsOf(Stepper& stepper, double dt, long evaluations);
   /// Takes a step in n equal parts.
   bool divide(Stepper& stepper, double tEnd, double dt, int n);
-  /// Takes one step with the policy for missed tolerances; it has been halved `depth` times so far.
+  /// Takes one step with the policy for missed tolerances; it has been halved `depth` times so far. The scheme may
+  /// end it early as long as its part is longer than `shortest` [s]; 0: an eighth of dt.
   bool advance(Stepper& stepper, double tEnd, double dt, int depth, double shortest = 0.0);
+  /// The other n parts of length dt of a step that the scheme has ended after one.
   bool goOn(Stepper& stepper, double tEnd, double dt, int n, int depth, double shortest);
   /// Takes a step in parts, such that the contact of `p` closes in a part that is too short to
   /// matter.
