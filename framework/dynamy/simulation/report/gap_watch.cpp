@@ -14,6 +14,7 @@ constexpr long kFirstLooks = 8, kStepsPerLook = 128;
 /// Rows of a step that are looked at.
 constexpr int kMostRowsSeen = 50;
 constexpr double kOverlapNoise = 1e-12;  ///< of the scene's length
+constexpr double kOverlapSeen = 1e-6;    ///< the same: bodies were inside each other
 
 }  // namespace
 
@@ -41,7 +42,11 @@ void GapWatch::rows(const StepView& view) {
 }
 
 void GapWatch::step(const StepView& view) {
-  if (view.report.counts.stepped) return rows(view);
+  if (view.scheme.choosesSteps()) {
+    const bool overlapped = report_.gaps.penetration.value > kOverlapSeen * model_.length();
+    if (view.report.counts.stepped || overlapped) rows(view);
+    return;
+  }
   // Bodies that pass others unseen, and those that damped forces move away from the path that the
   // step looked at, end in overlaps that the step itself has not evaluated.
   if (report_.passing.left > 0 || report_.trust.damped > 0) return overlaps(view.after);

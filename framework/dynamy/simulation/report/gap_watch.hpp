@@ -5,7 +5,8 @@
 ///               extrapolated depth exceeds all before, gaps are evaluated there, as long as that
 ///               costs little
 ///   rows        within steps in time of a scheme that locates switches, gaps are evaluated where
-///               rows are recorded: such a step may be long, and bodies between its ends overlap
+///               rows are recorded: such a step may be long, and bodies between its ends overlap. So they
+///               are in all its steps once bodies have been inside each other
 ///   joints      position errors, evaluated at sampled ends of steps: schemes hold joints there,
 ///               not where they evaluate them
 #pragma once

@@ -46,7 +46,7 @@ void RunWatch::step(const StepView& view) {
     report_.trust.damped = std::max(report_.trust.damped, damped);
     if (!view.scheme.choosesSteps()) energy_.damped(view);
   }
-  if (!view.scheme.choosesSteps() || view.report.counts.stepped) gaps_.step(view);
+  gaps_.step(view);
   if (view.after.t >= nextSample_) return sample(view);
   if (const double T = kineticEnergy(view); !(T <= kFaster * fastest_)) {
     fastest_ = T;
