@@ -57,9 +57,10 @@ class GuideShoes final : public NonSmoothElement {
     a.required("height", Unit::length, "distance of upper and lower shoes").positive();
     a.required("play", Unit::length, "play of a shoe, each side").nonNegative();
     a.required("x", Unit::length, "middle between the rails");
-    a.add(AttributeType::expression, "left", "0", "misalignment of the left rail [m] at height z");
-    a.add(AttributeType::expression, "right", "0",
-          "misalignment of the right rail [m] at height z");
+    a.add(AttributeType::expression, "left", "0", "misalignment of the left rail at height z")
+        .in(Unit::length);
+    a.add(AttributeType::expression, "right", "0", "misalignment of the right rail at height z")
+        .in(Unit::length);
     a.child(Kind::law, 1, 1, "law of shoe and rail, e.g. UnilateralCoulomb");
     a.example(
         "<GuideShoes on=\"cabin\" width=\"2\" height=\"3\" play=\"1mm\" x=\"0\" "

@@ -20,8 +20,10 @@ void Ground::declare(Attributes& a) {
       "grounds of their own.");
   declarePose(a, "ground");
   absentFormula(a, AttributeType::expressions, "motion",
-                "x; y; z: displacement from position as formulas of t [m]");
-  absentFormula(a, AttributeType::expression, "rotation", "angle as a formula of t [rad]");
+                "x; y; z: displacement from position as formulas of t")
+      .in(Unit::length);
+  absentFormula(a, AttributeType::expression, "rotation", "angle as a formula of t")
+      .in(Unit::angle);
   a.vector("axis", Unit::none, 3, "0 0 1", "axis of the rotation, in the ground's axes").notZero();
   BodyParts::declare(a);
   a.example(

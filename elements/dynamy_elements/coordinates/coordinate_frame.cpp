@@ -9,9 +9,11 @@ void CoordinateFrame::declare(Attributes& a) {
       "Point with axes on a system of Coordinates, placed by formulas of t and q. Carries "
       "shapes for the replay and for contact, and joints.");
   a.add(AttributeType::expressions, "position", "0 ; 0 ; 0",
-        "position of the point in I: x ; y ; z [m]");
+        "position of the point in I: x ; y ; z")
+      .in(Unit::length);
   a.add(AttributeType::expressions, "angle", "",
-        "angles of successive rotations, each about the axes turned so far [rad]");
+        "angles of successive rotations, each about the axes turned so far")
+      .in(Unit::angle);
   a.vector("axis", Unit::none, 0, "0 0 1", "axis of each angle: 3 numbers per angle");
   a.child(Kind::shape, 0, 1000, "shapes bound to the frame");
   a.example(

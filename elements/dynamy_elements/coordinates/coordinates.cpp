@@ -225,11 +225,13 @@ void Coordinates::declare(Attributes& a) {
   a.add(AttributeType::expressions, "M", "",
         "mass matrix of t and q: all entries row after row, or those of the upper triangle");
   a.add(AttributeType::expression, "kineticEnergy", "",
-        "kinetic energy T(t, q, q_dot), quadratic in q_dot, instead of M [J]");
+        "kinetic energy T(t, q, q_dot), quadratic in q_dot, instead of M")
+      .in(Unit::energy);
   a.add(AttributeType::expressions, "h", "",
         "generalised forces without potential; with M given also the gyroscopic terms");
   a.add(AttributeType::expression, "potential", "",
-        "potential energy V(t, q) [J]; its forces are -dV/dq");
+        "potential energy V(t, q); its forces are -dV/dq")
+      .in(Unit::energy);
   a.child(Kind::part, 0, 1000, "frames that carry shapes, joints and contacts", "CoordinateFrame");
   a.child(Kind::part, 0, 100, "jumps of a hybrid system", "Jump");
   a.add(AttributeType::flag, "stiff", "false",

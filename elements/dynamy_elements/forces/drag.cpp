@@ -16,7 +16,8 @@ void Drag::declare(Attributes& a) {
   a.optional("viscous", Unit::damping, 0.0, "linear drag d, e.g. 6 pi eta r of a small ball")
       .nonNegative();
   a.add(AttributeType::expressions, "wind", std::nullopt,
-        "velocity of the fluid x; y; z as formulas of t [m/s]; default: still")
+        "velocity of the fluid x; y; z as formulas of t; default: still")
+      .in(Unit::velocity)
       .mayBeAbsent();
   a.example("<Drag on=\"ball\" area=\"0.03\" coefficient=\"0.47\" wind=\"5; 0; 0\"/>");
 }

@@ -11,10 +11,12 @@ void ForceInput::declare(Attributes& a) {
   a.vector("point", Unit::length, 3, "0 0 0", "point of attack, in axes of the frame");
   a.choice("axes", {"world", "frame"}, "world", "axes of the components");
   a.add(AttributeType::expressions, "force", std::nullopt,
-        "Fx; Fy; Fz as formulas of t and signals [N]")
+        "Fx; Fy; Fz as formulas of t and signals")
+      .in(Unit::force)
       .mayBeAbsent();
   a.add(AttributeType::expressions, "moment", std::nullopt,
-        "Mx; My; Mz as formulas of t and signals [N m]")
+        "Mx; My; Mz as formulas of t and signals")
+      .in(Unit::torque)
       .mayBeAbsent();
   a.example("<ForceInput on=\"cart\" force=\"10*sin(3*t); 0; 0\"/>");
 }

@@ -10,7 +10,8 @@ void Gravity::declare(Attributes& a) {
       "(Coordinates) have their weight in their own potential and do not answer.");
   a.vector("acceleration", Unit::acceleration, 3, "0 0 -9.81", "acceleration of free fall");
   a.add(AttributeType::expressions, "change", std::nullopt,
-        "x; y; z as formulas of t, added to the acceleration [m/s^2]: a shaken or tilted scene")
+        "x; y; z as formulas of t, added to the acceleration: a shaken or tilted scene")
+      .in(Unit::acceleration)
       .mayBeAbsent();
   a.example("<Gravity acceleration=\"0 0 -9.81\"/>");
 }

@@ -37,8 +37,9 @@ void Tyre::declare(Attributes& a) {
            "normal of the road, a plane through the origin of B, in axes of B")
       .notZero();
   a.add(AttributeType::expression, "height", std::nullopt,
-        "height of a road that is not flat, a formula of x and y in axes of B [m], whose radii of "
+        "height of a road that is not flat, a formula of x and y in axes of B, whose radii of "
         "curvature are above that of the wheel, e.g. 0.05*exp(-((x - 10)/0.5)^2); default: 0")
+      .in(Unit::length)
       .mayBeAbsent();
   a.required("stiffness", Unit::stiffness, "of the carcass, C_z, along the normal").positive();
   a.optional("damping", Unit::damping, 0.0, "of the carcass, along the normal").nonNegative();

@@ -39,7 +39,8 @@ void ContourShape::declare(Attributes& a) {
       "bodies move in its plane, and half spaces if it is convex. A periodic spline of degree 5 "
       "through "
       "720 points, or through the radii that are given.");
-  a.add(AttributeType::expression, "r", std::nullopt, "radius as a formula of phi [m]")
+  a.add(AttributeType::expression, "r", std::nullopt, "radius as a formula of phi")
+      .in(Unit::length)
       .mayBeAbsent();
   a.vector("radii", Unit::length, 0, "", "radii at equal angles from phi = 0 on, eight or more")
       .mayBeAbsent();

@@ -87,6 +87,11 @@ struct Attribute {
   std::vector<std::string> choices;
   std::string referenceKind;  ///< "system", "frame", "material", …
 
+  /// In this unit; for formulas, whose unit is not checked without it.
+  Attribute& in(Unit u) {
+    unit = u;
+    return *this;
+  }
   Attribute& positive() {
     min = 0.0, minOpen = true;
     return *this;

@@ -11,6 +11,7 @@
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/core/utf8.hpp>
 #include <limits>
+#include <numbers>
 
 namespace dynamy {
 namespace {
@@ -156,9 +157,44 @@ std::string whatToWrite(const Attribute& a, std::string_view word, const Express
   return "a parameter or a formula stands in braces: {" + std::string(word) + '}';
 }
 
+/// Angles up to here are taken without a unit [rad]: one and a half turns, below all of 10, 15, 20 …
+constexpr double kMostRadians = 3.0 * std::numbers::pi;
+
+/// A number of the wrong family of units, or an angle of a file that was probably meant in degrees.
+std::optional<ValueFault> unitFault(const Attribute& a, const ReadWord& word, const Quantity& x,
+                                    bool ofFile) {
+  if (!fits(x.family, a))
+    return ValueFault{
+        "expects " + expectedNumber(a.unit) + ", has [" + std::string(siUnit(x.family)) + ']',
+        a.unit == Unit::none && a.type == AttributeType::vector ? a.text : "", word.offset,
+        word.text.size()};
+  const bool radians = a.unit == Unit::angle && x.family == UnitFamily::none;
+  if (!ofFile || !radians || !(std::abs(x.value) > kMostRadians)) return std::nullopt;
+  const std::string text(word.text);
+  return ValueFault{"is in radians and turns more than once around",
+                    text + "deg is an angle in degrees, " + text + "rad one of several turns",
+                    word.offset, word.text.size()};
+}
+
+/// Formulas that are one number with a unit each: the unit is that of the attribute, if it has one.
+std::optional<ValueFault> readFormulas(const Attribute& a, const ParameterValue& value) {
+  if (a.unit == Unit::none) return std::nullopt;
+  for (const ValuePart& part : value.parts(';')) {
+    try {
+      const ReadWord word{part.text, part.offset};
+      if (auto fault = unitFault(a, word, parseQuantity(part.text), bool(value.locate)))
+        return fault;
+    } catch (const ExpressionError&) {
+      continue;  // the element compiles it
+    }
+  }
+  return std::nullopt;
+}
+
 /// Reads one number with its suffix; the range applies to `given` values only.
-std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, bool given,
-                                     double& x) {
+std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word,
+                                     const ParameterValue& value, double& x) {
+  const bool given = value.given;
   const auto fault = [&](std::string text) {
     return ValueFault{std::move(text), {}, word.offset, word.text.size()};
   };
@@ -179,9 +215,7 @@ std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, b
       x = quantity.value;
       if (!std::isfinite(x))
         return fault("the number " + std::string(word.text) + " is out of range");
-      if (!fits(quantity.family, a))
-        return fault("expects " + expectedNumber(a.unit) + ", has [" +
-                     std::string(siUnit(quantity.family)) + ']');
+      if (auto wrong = unitFault(a, word, quantity, given && value.locate)) return wrong;
     } catch (const ExpressionError& e) {
       return ValueFault{std::string(kUnread) + e.message(), whatToWrite(a, word.text, e),
                         word.offset + e.offset(), e.length()};
@@ -222,7 +256,7 @@ std::optional<ValueFault> readWords(const Attribute& a, ParameterValue& value) {
   value.numbers.clear();
   for (const ReadWord& word : words) {
     double x = 0.0;
-    if (auto fault = readNumber(a, word, value.given, x)) return fault;
+    if (auto fault = readNumber(a, word, value, x)) return fault;
     if (a.type == AttributeType::integer && (x != std::round(x) || std::abs(x) > 2147483647.0))
       return ValueFault{"expects a whole number, is " + std::string(word.text),
                         {},
@@ -350,9 +384,10 @@ std::optional<ValueFault> readValue(const Attribute& a, ParameterValue& value) {
     case AttributeType::names:
       return readNames(value);
     case AttributeType::text:
+      return std::nullopt;
     case AttributeType::expression:
     case AttributeType::expressions:
-      return std::nullopt;
+      return readFormulas(a, value);
   }
   return std::nullopt;
 }
