@@ -59,7 +59,9 @@ void JointSpring::declare(Attributes& a) {
 
 JointSpring::JointSpring(const Parameters& x)
     : CoordinateForce(x), stiffness_(x["stiffness"]), damping_(x["damping"]), rest_(x["rest"]) {
-  if (x["coordinate"].text == "angle") refuseDegrees(x["rest"]);
+  hasUnits(x, "rest", Unit::angle, Unit::length);
+  hasUnits(x, "stiffness", Unit::rotationalStiffness, Unit::stiffness);
+  hasUnits(x, "damping", Unit::rotationalDamping, Unit::damping);
 }
 
 double JointSpring::force(const Kinematics&, double x, double rate, double* c, double* d) const {
@@ -97,7 +99,9 @@ void JointForce::declare(Attributes& a) {
 }
 
 JointForce::JointForce(const Parameters& x)
-    : CoordinateForce(x), formula_(x, "force", 1, {"x", "v"}) {}
+    : CoordinateForce(x), formula_(x, "force", 1, {"x", "v"}) {
+  hasUnits(x, "force", Unit::torque, Unit::force);
+}
 
 double JointForce::force(const Kinematics& k, double x, double rate, double* c, double* d) const {
   const double own[2] = {x, rate};
@@ -145,6 +149,12 @@ PdController::PdController(const Parameters& x)
     target_ = TimeFormulas(x, "target", 1);
   else
     targetOfSignals_ = SignalFormulas(x, "target", 1);
+  hasUnits(x, "target", Unit::angle, Unit::length);
+  hasUnits(x, "targetRate", Unit::angularVelocity, Unit::velocity);
+  hasUnits(x, "stiffness", Unit::rotationalStiffness, Unit::stiffness);
+  hasUnits(x, "damping", Unit::rotationalDamping, Unit::damping);
+  hasUnits(x, "feedforward", Unit::torque, Unit::force);
+  hasUnits(x, "limit", Unit::torque, Unit::force);
 }
 
 std::vector<SignalFormulas*> PdController::formulas() {

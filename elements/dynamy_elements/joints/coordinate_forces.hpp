@@ -36,6 +36,9 @@ class CoordinateForce : public ExternalForce {
   /// First instant after t at which a formula jumps or has a kink [s].
   virtual double nextInstant(double) const { return std::numeric_limits<double>::infinity(); }
   const JointCoordinate& coordinate() const { return coordinate_; }
+  void hasUnits(const Parameters& x, const char* name, Unit ofAngle, Unit ofDisplacement) {
+    coordinate_.hasUnits(x, name, ofAngle, ofDisplacement);
+  }
 
  private:
   JointCoordinate coordinate_;

@@ -59,8 +59,7 @@ JointStop::JointStop(const Parameters& x)
       upper_(x.has("upper") ? double(x["upper"]) : kInfinity),
       law_(x.takeOne<SetValuedForceLaw>()) {
   if (!law_) law_ = std::make_unique<Unilateral>(0.0);
-  for (const char* name : {"lower", "upper"})
-    if (x.has(name) && x["coordinate"].text == "angle") refuseDegrees(x[name]);
+  for (const char* name : {"lower", "upper"}) hasUnits(x, name, Unit::angle, Unit::length);
   if (!std::isfinite(lower_) && !std::isfinite(upper_))
     throw ModelError("neither lower nor upper is given", "a stop has at least one of them");
   if (!(lower_ <= upper_))
@@ -110,7 +109,9 @@ void JointDrive::declare(Attributes& a) {
   a.example("<JointDrive between=\"world rod\" axis=\"0 1 0\" motion=\"0.5*sin(t)^2\"/>");
 }
 
-JointDrive::JointDrive(const Parameters& x) : CoordinateLaw(x), motion_(x, "motion", 1) {}
+JointDrive::JointDrive(const Parameters& x) : CoordinateLaw(x), motion_(x, "motion", 1) {
+  hasUnits(x, "motion", Unit::angle, Unit::length);
+}
 
 void JointDrive::connect(Topology& topology) {
   CoordinateLaw::connect(topology);
@@ -168,6 +169,8 @@ JointMotor::JointMotor(const Parameters& x)
     speed_ = TimeFormulas(x, "speed", 1);
   else
     speedOfSignals_ = SignalFormulas(x, "speed", 1);
+  hasUnits(x, "speed", Unit::angularVelocity, Unit::velocity);
+  hasUnits(x, "limit", Unit::torque, Unit::force);
 }
 
 void JointMotor::connect(Topology& topology) {
@@ -214,11 +217,7 @@ void JointFriction::declare(Attributes& a) {
 JointFriction::JointFriction(const Parameters& x)
     : CoordinateLaw(x), law_(x.takeOne<SetValuedForceLaw>()), scale_(x, "scale", 1) {
   if (!law_) throw ModelError("the law is missing", "add <GivenFriction force=\"1\"/>");
-  if (law_->unilateral())
-    throw ModelError("a unilateral law needs a gap", "stops of a joint are a JointStop");
-  if (law_->rowKind(0) == RowKind::joint)
-    throw ModelError("a bilateral law would lock the joint without a position",
-                     "a JointDrive holds or moves a coordinate");
+  requireLawOfRates(*law_);
   if (!scale_.empty() && !law_->scales())
     throw x["scale"].fault("the law has no size of its own that could be scaled",
                            "GivenFriction, ForceLimit, StribeckFriction, PreloadedSpring have", 0,

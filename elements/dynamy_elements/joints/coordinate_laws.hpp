@@ -24,6 +24,9 @@ class CoordinateLaw : public NonSmoothElement {
 
  protected:
   const JointCoordinate& coordinate() const { return coordinate_; }
+  void hasUnits(const Parameters& x, const char* name, Unit ofAngle, Unit ofDisplacement) {
+    coordinate_.hasUnits(x, name, ofAngle, ofDisplacement);
+  }
 
  private:
   JointCoordinate coordinate_;

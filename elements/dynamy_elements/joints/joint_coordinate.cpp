@@ -2,6 +2,7 @@
 #include <dynamy/core/declared/mirror_plane.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/joints/joint_coordinate.hpp>
+#include <dynamy_elements/joints/joint_freedom.hpp>
 #include <numbers>
 
 namespace dynamy {
@@ -97,22 +98,21 @@ Vec3 CoordinateRow::place(const Kinematics& k) const {
 
 // ---- JointCoordinate ---------------------------------------------------------------------------
 
-void refuseDegrees(const ParameterValue& angle) {
-  const std::string& text = angle.text;
-  const bool unit = text.find_first_not_of("0123456789+-.eE ") != std::string::npos;
-  constexpr double kMost =
-      3.0 * std::numbers::pi;  // one and a half turns: below all of 10, 15, 20 …
-  const bool ofFile = static_cast<bool>(angle.locate);  // numbers of a program are in radians
-  if (!angle.given || !ofFile || unit || !(std::abs(double(angle)) > kMost)) return;
-  throw angle.fault(angle.declaration->name + " is in radians and turns more than once around",
-                    text + "deg is an angle in degrees, " + text + "rad one of several turns", 0,
-                    text.size());
+namespace {
+
+Place placeOf(const ParameterValue& value) {
+  return value.locate ? value.locate(0, value.text.size()) : value.place;
 }
+
+}  // namespace
 
 void JointCoordinate::declare(Attributes& a) {
   FramePair::declare(a);
-  a.choice("coordinate", {"angle", "displacement"}, "angle",
-           "angle of B against A about the axis, or displacement along it");
+  Attribute& kind = a.add(AttributeType::choice, "coordinate", std::nullopt,
+                          "angle of B against A about the axis, or displacement along it; default: "
+                          "what a joint between the two bodies leaves free, else angle");
+  kind.choices = {"angle", "displacement"};
+  kind.mayBeAbsent();
   a.vector("axis", Unit::none, 3, "0 0 0",
            "axis, fixed in A, at the start in the world; an angle between planar bodies has the "
            "normal of their plane");
@@ -129,27 +129,55 @@ void JointCoordinate::declare(Attributes& a) {
 
 JointCoordinate::JointCoordinate(const Parameters& x)
     : frames_(x),
-      angle_(x["coordinate"].text == "angle"),
+      kindGiven_(x.has("coordinate")),
+      angle_(x["coordinate"].text != "displacement"),
       atGiven_(x.has("at")),
       axis_(x["axis"].vec3()),
       reference_(x["reference"].vec3()),
       start_(x["start"]) {
   if (atGiven_) at_ = x["at"].vec3();
-  if (angle_) refuseDegrees(x["start"]);
+  for (const char* name : {"axis", "coordinate"})
+    if (const ParameterValue& value = x[name]; value.given) place_ = placeOf(value);
+  hasUnits(x, "start", Unit::angle, Unit::length);
+}
+
+void JointCoordinate::hasUnits(const Parameters& x, const char* name, Unit ofAngle,
+                               Unit ofDisplacement) {
+  const ParameterValue& value = x[name];
+  if (!value.given) return;
+  Mixed out{*value.declaration, value, ofAngle, ofDisplacement};
+  // The file may be gone when the kind is known.
+  if (value.locate)
+    out.value.locate = [place = placeOf(value)](std::size_t, std::size_t) { return place; };
+  mixed_.push_back(std::move(out));
+}
+
+void JointCoordinate::checkUnits() {
+  for (Mixed& m : mixed_) {
+    m.attribute.unit = angle_ ? m.ofAngle : m.ofDisplacement;
+    m.value.declaration = &m.attribute;
+    if (const auto fault = readValue(m.attribute, m.value))
+      throw m.value.fault(m.value.locate ? m.attribute.name + ' ' + fault->text : fault->text,
+                          fault->hint, 0, m.value.text.size());
+  }
 }
 
 bool JointCoordinate::isMirrored(const MirrorPlane& plane, const Element& owner) const {
   if (axis_.isZero(0.0)) return false;
-  if (angle_) return plane.isNormal(axis_);
-  if (!plane.isAlong(axis_)) return false;
-  if (atGiven_) return plane.contains(at_);
   FramePair frames = frames_;
   frames.find(*plane.topology, owner);
+  const JointFreedom joints(jointsBetween(*plane.topology, frames.A, frames.B));
+  if (kindGiven_ ? angle_ : joints.suggestsAngle(axis_)) return plane.isNormal(axis_);
+  if (!plane.isAlong(axis_)) return false;
+  if (atGiven_) return plane.contains(at_);
   return plane.contains(StartKinematics(*plane.topology).frame(frames.B).r_OS_I);
 }
 
 void JointCoordinate::connect(Topology& topology, const Element& owner) {
   frames_.connect(topology, owner);
+  const JointFreedom joints(jointsBetween(topology, frames_.A, frames_.B));
+  if (!kindGiven_) angle_ = joints.suggestsAngle(axis_);
+  checkUnits();
   const Vec3 axis = axis_.isZero(0.0) && angle_ ? frames_.planeNormal : axis_;
   if (axis.isZero(0.0))
     throw ModelError("the coordinate needs an axis",
@@ -157,6 +185,8 @@ void JointCoordinate::connect(Topology& topology, const Element& owner) {
   if (axis.cross(reference_).norm() < 1e-6 * axis.norm() * reference_.norm())
     throw ModelError("the reference lies along the axis", "it has to have a part across it");
   const StartKinematics start(topology);
+  const Vec3 at = atGiven_ ? at_ : start.frame(frames_.B).r_OS_I;
+  joints.requireFree({angle_, axis, at}, place_);
   if (angle_) {
     row_ = CoordinateRow::angle(start, frames_.A, frames_.B, axis, reference_, start_);
     std::vector<double> memory;
@@ -164,7 +194,6 @@ void JointCoordinate::connect(Topology& topology, const Element& owner) {
     memory_ = topology.memory(owner, memory);
     return;
   }
-  const Vec3 at = atGiven_ ? at_ : start.frame(frames_.B).r_OS_I;
   row_ = CoordinateRow::displacement(start, frames_.A, frames_.B, at, axis, start_);
 }
 

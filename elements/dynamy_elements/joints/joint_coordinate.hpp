@@ -64,22 +64,24 @@ class CoordinateRow {
 };
 
 /// The coordinate of an element with attributes `between`, `coordinate`, `at`, `axis`, `reference`,
-/// `start`.
-/// Throws ModelError for an angle of more than one and a half turns that is written without a unit:
-/// it was probably meant in degrees.
-void refuseDegrees(const ParameterValue& angle);
-
+/// `start`. Where the model does not say whether it is an angle or a displacement, the joint between
+/// the two bodies decides (joint_freedom.hpp).
 class JointCoordinate {
  public:
   static void declare(Attributes& a);
   explicit JointCoordinate(const Parameters& x);
-  /// To be called once, in the element's connect(); reserves the memory of `owner`.
+  /// To be called in the element's constructor for attributes whose unit depends on the kind of
+  /// coordinate: connect() refuses other units, and degrees without their unit.
+  void hasUnits(const Parameters& x, const char* name, Unit ofAngle, Unit ofDisplacement);
+  /// To be called once, in the element's connect(); reserves the memory of `owner`. Throws ModelError
+  /// if a joint between the two bodies locks the coordinate.
   void connect(Topology& topology, const Element& owner);
   /// To be called in the element's remember().
   void remember(const Kinematics& k, Vec memory) const { row_.remember(k, memory.data()); }
   double value(const Kinematics& k) const { return row_.value(k, k.memory(memory_).data()); }
   double rate(const Kinematics& k) const { return row_.rate(k); }
   const CoordinateRow& row() const { return row_; }
+  /// After connect().
   bool isAngle() const { return angle_; }
   /// True: a force in the coordinate leads nothing out of the plane (Element::isMirrored).
   bool isMirrored(const MirrorPlane& plane, const Element& owner) const;
@@ -89,8 +91,16 @@ class JointCoordinate {
   void emit(const Kinematics& k, ContactRows& out, double sign, double chi, double chiRate) const;
 
  private:
+  struct Mixed {
+    Attribute attribute;
+    ParameterValue value;
+    Unit ofAngle, ofDisplacement;
+  };
+  void checkUnits();
   FramePair frames_;
-  bool angle_, atGiven_;
+  bool kindGiven_, angle_, atGiven_;
+  Place place_;               // of `coordinate` or `axis` in the file
+  std::vector<Mixed> mixed_;  // values whose unit depends on the kind of coordinate
   Vec3 at_ = Vec3::Zero(), axis_, reference_;
   double start_;
   CoordinateRow row_;

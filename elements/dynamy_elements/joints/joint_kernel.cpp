@@ -6,7 +6,7 @@
 #include <dynamy/core/rotation.hpp>
 #include <dynamy/law/most_rows.hpp>
 #include <dynamy_elements/joints/joint.hpp>
-#include <dynamy_elements/joints/joint_coordinate.hpp>
+#include <dynamy_elements/laws/friction_of_law.hpp>
 
 namespace dynamy {
 
@@ -43,14 +43,12 @@ void Joint::declareRotor(Attributes& a, Unit unit) {
 
 Joint::Joint(const Parameters& x)
     : NonSmoothElement(x), frames_(x), friction_(x.takeOne<SetValuedForceLaw>()) {
+  if (friction_) requireLawOfRates(*friction_);
   const bool hasAt = x.declaration->find("at") != nullptr;
   atGiven_ = hasAt && x.has("at");
   if (atGiven_) at_ = x["at"].vec3();
   if (x.declaration->find("axis") != nullptr) axis_ = x["axis"].vec3();
-  if (x.declaration->find("start") != nullptr) {
-    start_ = x["start"];
-    if (x["start"].declaration->unit == Unit::angle) refuseDegrees(x["start"]);
-  }
+  if (x.declaration->find("start") != nullptr) start_ = x["start"];
   if (x.declaration->find("rotor") != nullptr) rotor_ = x["rotor"];
 }
 

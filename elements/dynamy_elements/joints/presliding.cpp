@@ -28,6 +28,8 @@ Presliding::Presliding(const Parameters& x)
       stiff_(x["stiff"].flag()) {
   if (x.name.empty())
     throw ModelError("the friction has no name", "its state is a signal: add name=\"…\"");
+  coordinate_.hasUnits(x, "stiffness", Unit::rotationalStiffness, Unit::stiffness);
+  coordinate_.hasUnits(x, "force", Unit::torque, Unit::force);
 }
 
 std::unique_ptr<PartialMechanicalSystem> Presliding::ownSystem() const {
@@ -132,6 +134,10 @@ LuGreFriction::LuGreFriction(const Parameters& x)
       speed_(x["speed"]),
       damping_(x["damping"]),
       viscous_(x["viscous"]) {
+  hasUnits(x, "staticForce", Unit::torque, Unit::force);
+  hasUnits(x, "speed", Unit::angularVelocity, Unit::velocity);
+  for (const char* name : {"damping", "viscous"})
+    hasUnits(x, name, Unit::rotationalDamping, Unit::damping);
   if (static_ < level())
     throw x["staticForce"].fault("the force at the onset of slip is below that of slip",
                                  "staticForce >= force", 0, x["staticForce"].text.size());

@@ -34,6 +34,9 @@ class Presliding : public ExternalForce {
   /// Parts of the force beside F_c s, for ṡ F_c/σ = `flow` [N or N m].
   virtual double more(double /*v*/, double /*flow*/) const { return 0.0; }
   double level() const { return level_; }
+  void hasUnits(const Parameters& x, const char* name, Unit ofAngle, Unit ofDisplacement) {
+    coordinate_.hasUnits(x, name, ofAngle, ofDisplacement);
+  }
 
  private:
   double loaded(const Kinematics& k) const;

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/core/declared/two_names.hpp>
+#include <dynamy_elements/joints/joint_freedom.hpp>
 #include <dynamy_elements/joints/transmissions.hpp>
 #include <dynamy_elements/laws/friction_of_law.hpp>
 #include <tuple>
@@ -16,6 +17,11 @@ Attribute& betweenTwo(Attributes& a, const char* text) {
   Attribute& between = a.add(AttributeType::names, "between", std::nullopt, text);
   between.referenceKind = "frame";
   return between;
+}
+
+void requireFree(const Topology& topology, FrameHandle A, FrameHandle B,
+                 const SoughtCoordinate& x) {
+  JointFreedom(jointsBetween(topology, A, B)).requireFree(x, {});
 }
 
 Vec3 needed(const Vec3& given, const Vec3& otherwise, const char* what) {
@@ -135,6 +141,8 @@ void Gear::build(Topology& topology) {
   const Vec3 axisA = needed(axisA_, plane(), "the axis of A"),
              axisB = needed(axisB_, axisA, "the axis of B");
   const StartKinematics start(topology);
+  requireFree(topology, C, A, {true, axisA, Vec3::Zero(), "axisA", false});
+  requireFree(topology, C, B, {true, axisB, Vec3::Zero(), "axisB", false});
   add(CoordinateRow::angle(start, C, A, axisA, Vec3::Zero(), 0.0), 1.0);
   add(CoordinateRow::angle(start, C, B, axisB, Vec3::Zero(), 0.0), -ratio_);
 }
@@ -175,6 +183,8 @@ void RackAndPinion::build(Topology& topology) {
                     C = frame(topology, carrier_);
   const Vec3 axis = needed(axis_, plane(), "the axis of the pinion");
   const StartKinematics start(topology);
+  requireFree(topology, C, P, {true, axis, Vec3::Zero(), "axis", false});
+  requireFree(topology, C, R, {false, direction_, start.frame(R).r_OS_I, "direction", false});
   add(CoordinateRow::displacement(start, C, R, start.frame(R).r_OS_I, direction_, 0.0), 1.0);
   add(CoordinateRow::angle(start, C, P, axis, Vec3::Zero(), 0.0), -radius_);
 }

@@ -76,7 +76,7 @@ void flattenBodies(Model& model) {
     if (isFree(*systems.back())) bodies.push_back(static_cast<int>(i));
   }
   if (bodies.empty()) return;
-  Topology topology(systems);
+  Topology topology(systems, model.composed.jointList);
   const std::optional<Plane> plane = planeOf(model, bodies.front(), topology);
   if (!plane) return;
   for (const int i : bodies)

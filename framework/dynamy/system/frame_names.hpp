@@ -1,7 +1,9 @@
 /// FrameNames: finds frames by the names that model files use: "body" (its frame 0) or "body.name"
 /// as named in describe(). A system of several bodies has the names of its bodies, not its own.
+/// With them stand the joints between bodies, which are known by the names of these.
 #pragma once
 #include <dynamy/system/description.hpp>
+#include <dynamy/system/joint_list.hpp>
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <string>
 #include <string_view>
@@ -11,6 +13,8 @@ namespace dynamy {
 
 class FrameNames {
  public:
+  explicit FrameNames(JointList joints) : joints_(std::move(joints)) {}
+  const JointList& joints() const { return joints_; }
   /// Takes the names of the next system from its description.
   void add(const PartialMechanicalSystem& system, Description& description);
   /// (system index, frame id); (−1, −1) if no frame has this name. `known`: names of frames are
@@ -26,6 +30,7 @@ class FrameNames {
     std::vector<NamedBody> bodies;
   };
   std::vector<Names> systems_;
+  JointList joints_;
 };
 
 }  // namespace dynamy

@@ -42,7 +42,8 @@ std::string frameToAdd(std::string_view name, const std::vector<std::string>& kn
 
 }  // namespace
 
-Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems) : systems_(systems) {
+Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems, JointList joints)
+    : systems_(systems), names_(std::move(joints)) {
   for (const PartialMechanicalSystem* s : systems) {
     const Blocks b = s->blocks();
     SystemHandle h;
@@ -126,6 +127,16 @@ FrameHandle Topology::requested(int system, int id) {
     requested_.emplace_back(system, id);
   }
   return {known[at]};
+}
+
+std::vector<const KnownJoint*> jointsBetween(const Topology& topology, FrameHandle A,
+                                             FrameHandle B) {
+  const auto bodyOf = [&](FrameHandle f) {
+    const auto [system, id] = topology.requestedFrames()[static_cast<std::size_t>(f.index)];
+    const NamedBody* carried = topology.names().body(system, id);
+    return carried ? carried->name : topology.systems()[static_cast<std::size_t>(system)]->name();
+  };
+  return topology.names().joints().between(bodyOf(A), bodyOf(B));
 }
 
 void Topology::bindSignals(std::vector<ReadSignals::Source> sources) {

@@ -39,8 +39,9 @@ struct ShapeInstance {
 
 class Topology {
  public:
-  /// Systems in order of the model; computes all offsets.
-  explicit Topology(const std::vector<const PartialMechanicalSystem*>& systems);
+  /// Systems in order of the model, and the joints between them; computes all offsets.
+  explicit Topology(const std::vector<const PartialMechanicalSystem*>& systems,
+                    JointList joints = {});
 
   /// Handle of the system called `name`. Throws ModelError with the nearest known name.
   /// `body` given: bodies that a system carries are known, too; then it is the body's index there, else −1.
@@ -103,6 +104,10 @@ class Topology {
   const Topology* whole_ = nullptr;
   int nq_ = 0, nu_ = 0, blocks_ = 0;
 };
+
+/// Joints between the bodies of two frames; one that cannot say what it leaves free is missing.
+std::vector<const KnownJoint*> jointsBetween(const Topology& topology, FrameHandle A,
+                                             FrameHandle B);
 
 /// The systems of a subset that omits others alone, numbered anew; `whole` is borrowed. Nothing more
 /// can be requested from it.

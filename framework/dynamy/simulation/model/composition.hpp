@@ -1,11 +1,13 @@
-/// Composition: what completions made of the joints of a model.
+/// Composition: the joints of a model, and what completions made of them.
 #pragma once
+#include <dynamy/system/joint_list.hpp>
 #include <string>
 #include <vector>
 
 namespace dynamy {
 
 struct Composition {
+  JointList jointList;  ///< all joints that can say what they leave free; found by build()
   std::vector<std::string> notes;  ///< a line each, for `dynamy check`
   /// Joints that became coordinates, and joints that could have; sizes of the systems that are
   /// trees now: velocities, and rows of joints, before and after.

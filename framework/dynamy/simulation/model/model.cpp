@@ -18,6 +18,26 @@ std::unique_ptr<T> makeDefault(const char* type) {
   return std::make_unique<T>(Parameters::of<T>(type, "", {}));
 }
 
+/// The joints that can say what they leave free.
+JointList jointsOf(const std::vector<std::unique_ptr<PartialMechanicalSystem>>& bodies,
+                   const std::vector<std::unique_ptr<NonSmoothElement>>& contacts) {
+  std::vector<const PartialMechanicalSystem*> systems;
+  for (const auto& s : bodies) systems.push_back(s.get());
+  Topology topology(systems);
+  const auto nameOf = [&](int system) { return systems[static_cast<std::size_t>(system)]->name(); };
+  JointList out;
+  for (const auto& contact : contacts) {
+    KnownJoint found{contact.get(), {}};
+    try {
+      if (contact->jointMotion(topology, found.motion))
+        out.add(nameOf(found.motion.systemA), nameOf(found.motion.systemB), std::move(found));
+    } catch (const ModelError&) {
+      continue;  // connect() reports it with all other faults
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Model::Model() : pairLaws_(std::make_unique<PairLaws>()) {}
@@ -79,6 +99,7 @@ void Model::addCompletion(Completion completion) { completions_.push_back(std::m
 
 void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
+  composed.jointList = jointsOf(systems_, contacts_);
   for (const Completion& complete : completions_) complete(*this);
   for (const auto& f : forces_)
     if (auto states = f->ownSystem()) systems_.push_back(std::move(states));
@@ -87,7 +108,7 @@ void Model::build() {
   if (!impactLaw_) impactLaw_ = makeDefault<NewtonImpact>("NewtonImpact");
   std::vector<const PartialMechanicalSystem*> systems;
   for (const auto& s : systems_) systems.push_back(s.get());
-  topology_ = std::make_unique<Topology>(systems);
+  topology_ = std::make_unique<Topology>(systems, composed.jointList);
   connectAll();
   description_.describe(*this);
   bindSignals(*this);

@@ -87,7 +87,7 @@ class Model {
   std::vector<CheckSettings> checks;
   ModelFile file;
   std::string title, doc;
-  Composition composed;  ///< what completions made of joints, for reports
+  Composition composed;  ///< its joints, and what completions made of them
   std::string view;      ///< of the replay: "xy" "xz" "yz" "iso" or empty (chosen)
 
   // After build().
