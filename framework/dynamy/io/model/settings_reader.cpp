@@ -12,6 +12,22 @@
 namespace dynamy {
 namespace {
 
+/// What to record for an acceleration, which no element has; "" if the name is of no acceleration.
+std::string accelerationHint(const std::string& signal, const std::vector<std::string>& known) {
+  const std::size_t dot = signal.rfind('.') + 1;
+  const std::string last = signal.substr(dot);
+  constexpr std::string_view kWords =
+      " a ax ay az acc accel acceleration accx accy accz acc_x acc_y acc_z a_x a_y a_z alpha vdot ";
+  if (dot == 0 || kWords.find(' ' + last + ' ') == std::string_view::npos) return {};
+  const bool one = last.size() > 1 && last.back() >= 'x' && last.back() <= 'z';
+  const std::string velocity = signal.substr(0, dot) + 'v' + (one ? last.back() : 'z');
+  if (std::find(known.begin(), known.end(), velocity) == known.end()) return {};
+  return "accelerations are no signals, since impacts change velocities at once; a mean over 1 ms "
+         "is "
+         "the signal a.out of <TransferFunction name=\"a\" of=\"" +
+         velocity + "\" numerator=\"1 0\" denominator=\"1e-3 1\"/> in <forces>";
+}
+
 constexpr double kTimeRounding = 1e-9;  ///< relative rounding of formulas for two equal times
 
 }  // namespace
@@ -20,6 +36,7 @@ void SettingsReader::read(const ModelItem& item) {
   const XmlNode& node = *item.node;
   const Scope& scope = *item.scope;
   const Word& word = *source_->vocabulary().find(node.tag);
+  if (!isOnly(node, scope)) return;
   if (node.tag == "simulation") readMethods(node, scope);
   if (node.tag != "simulation")
     for (const XmlNode& child : node.children)
@@ -35,21 +52,23 @@ void SettingsReader::read(const ModelItem& item) {
   if (node.tag == "orbit") readOrbit(node, scope, x);
 }
 
+/// A model has one section of a kind, checks apart. Rejected: to merge them, which hides a section that
+/// was left over, and its values.
+bool SettingsReader::isOnly(const XmlNode& node, const Scope& scope) {
+  if (node.tag == "check") return true;
+  const auto [first, isNew] = sections_.emplace(node.tag, node.place);
+  if (isNew) return true;
+  Diagnostic d = scope.document->diagnostic(
+      node.place, node, "a model has one section <" + node.tag + ">, this is the second");
+  d.hint = "write its attributes into the first, or remove one of them";
+  d.notes.push_back({.place = first->second, .text = "the first stands here"});
+  faults_->add(std::move(d));
+  return false;
+}
+
 void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, const Parameters& x) {
-  // Sections may be repeated, their attributes may not.
-  for (const ParameterValue& v : x.values) {
-    if (!v.given) continue;
-    const std::string& name = v.declaration->name;
-    const auto [first, isNew] = given_.emplace(name, v.place);
-    if (isNew) continue;
-    Diagnostic d =
-        scope.document->diagnostic(v.place, node, "the attribute \"" + name + "\" is given twice");
-    d.notes.push_back({.place = first->second, .text = "first given here"});
-    faults_->add(std::move(d));
-  }
-  if (given_.contains("step") && given_.contains("tolerance") &&
-      (x["step"].given || x["tolerance"].given))
-    faults_->add(scope, given_.at("tolerance"), node, "step and tolerance exclude each other",
+  if (x["step"].given && x["tolerance"].given)
+    faults_->add(scope, x["tolerance"].place, node, "step and tolerance exclude each other",
                  "a step fixes the length of all steps, a tolerance lets the program choose it");
   SimulationSettings& s = model_->simulation;
   if (x["until"].given) s.until = x["until"];
@@ -82,7 +101,7 @@ void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, con
     s.keepPlaces.push_back(x["keep"].locate ? x["keep"].locate(word.offset, word.text.size())
                                             : x["keep"].place);
   }
-  if (s.place.line == 0) s.place = node.place;
+  s.place = node.place;
 }
 
 /// Reads scheme, solver and impact law, at most one of each.
@@ -194,10 +213,6 @@ void SettingsReader::readOrbit(const XmlNode& node, const Scope& scope, const Pa
   s.returns = static_cast<int>(x["returns"].integer());
   if (x["period"].given) s.period = x["period"];
   s.mirror = x["mirror"].words();
-  if (orbitSignal_.place.line != 0) {
-    faults_->add(scope, node.place, node, "a model has one section for its orbits");
-    return;
-  }
   orbitSignal_ = {s.signal, s.signal.empty() ? node.place : x["signal"].place};
   if (s.given() == (!s.signal.empty() && s.period > 0.0))
     faults_->add(scope, node.place, node, "takes either a signal or a period",
@@ -255,7 +270,9 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
     return k.starts_with(owner);
   });
   std::string hint;
-  if (signal == "all")
+  if (const std::string slope = accelerationHint(signal, known); !slope.empty())
+    hint = slope;
+  else if (signal == "all")
     hint = "all signals are signals=\"*\"";
   else if (const std::string several = partedNames(signal); !several.empty())
     hint = "names stand between blanks: \"" + several + '"';
@@ -276,7 +293,10 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
       if (!owner.empty() && owner == joint->name() + ".")
         hint = "in minimal coordinates \"" + joint->name() +
                "\" may be a coordinate, which has no percussions";
-  if (hint.empty()) hint = unknownNameHint(signal, known);
+  for (const auto& system : model_->systems())
+    if (hint.empty() && !owned && owner == system->name() + ".")
+      hint = '"' + system->name() + "\" has no signals in this model; ";
+  if (hint.empty() || hint.ends_with("; ")) hint += unknownNameHint(signal, known);
   faults_->add({.place = place,
                 .element = element,
                 .text = (all ? "no signals \"" : "no signal \"") + signal + '"',

@@ -33,6 +33,7 @@ class SettingsReader {
   void verifySignals() const;
 
  private:
+  bool isOnly(const XmlNode& node, const Scope& scope);
   void readSimulation(const XmlNode& node, const Scope& scope, const Parameters& x);
   void readMethods(const XmlNode& node, const Scope& scope);
   void readRecord(const XmlNode& node, const Scope& scope, const Parameters& x);
@@ -55,7 +56,7 @@ class SettingsReader {
   OrbitSection* orbit_;
   double until_;
   OrbitSignal orbitSignal_;
-  std::map<std::string, Place> given_;  ///< attributes of all `<simulation>`
+  std::map<std::string, Place> sections_;  ///< the first of each kind
   std::map<Kind, Place> methods_;
   std::vector<Place> checkSignals_, checkTimes_;
   Place recordTimes_;
