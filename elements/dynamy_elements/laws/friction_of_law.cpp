@@ -11,4 +11,14 @@ bool hasFriction(const SetValuedForceLaw& law) {
   return Lambda[1] != 0.0;
 }
 
+void requireLawOfRates(const SetValuedForceLaw& law) {
+  if (law.unilateral())
+    throw ModelError(
+        "the law <" + law.type() + "> needs a gap, and a joint has none",
+        "friction of a joint is <GivenFriction force=\"…\">, its stops are a JointStop");
+  if (law.rowKind(0) == RowKind::joint)
+    throw ModelError("a bilateral law would lock the joint without a position",
+                     "a JointDrive holds or moves a coordinate");
+}
+
 }  // namespace dynamy

@@ -1,5 +1,5 @@
-/// Test for elements that offer a law its normal row only: they refuse
-/// friction, which could not act.
+/// What elements refuse of a law, since it could not act: friction, where they offer its normal row
+/// only; laws that need a gap or hold a position, where they offer rates of a joint.
 #pragma once
 #include <dynamy/law/set_valued_force_law.hpp>
 
@@ -8,5 +8,8 @@ namespace dynamy {
 /// Does the law, when it is offered a tangent, respond to slip with a force: Λ_T ≠ 0 from Λ = 0 and
 /// ξ = (−1, −1)? A law with μ = 0 does not.
 bool hasFriction(const SetValuedForceLaw& law);
+
+/// Throws ModelError unless the law acts on the rates of a joint, without a gap or a position.
+void requireLawOfRates(const SetValuedForceLaw& law);
 
 }  // namespace dynamy
