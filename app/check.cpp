@@ -389,7 +389,7 @@ void addCheck(CLI::App& app, Program& program) {
       "each wrong entry");
   c->callback([t, &program] {
     program.load();
-    for (const std::string& s : t->set) t->choice.set.push_back(assignment(s));
+    t->choice.set = assignments(t->set);
     program.exitCode = check(program, t->choice);
   });
 }

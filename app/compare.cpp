@@ -85,7 +85,7 @@ void measure(Point& p, const Point& reference, const std::vector<std::string>& s
 
 void compare(Program& program, CompareTask& task) {
   program.load();
-  for (const std::string& s : task.set) task.choice.set.push_back(assignment(s));
+  task.choice.set = assignments(task.set);
   if (!task.until.empty()) task.choice.until = seconds(task.until, "--until");
   std::vector<double> steps;
   for (const std::string& s : task.steps) steps.push_back(seconds(s, "--steps"));

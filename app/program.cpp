@@ -166,6 +166,20 @@ std::pair<std::string, std::string> assignment(const std::string& text) {
   return {withoutBlanks(text.substr(0, at)), withoutBlanks(text.substr(at + 1))};
 }
 
+std::vector<std::pair<std::string, std::string>> assignments(const std::vector<std::string>& texts,
+                                                             const std::string& option) {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const std::string& text : texts) {
+    out.push_back(assignment(text));
+    for (std::size_t i = 0; i + 1 < out.size(); ++i)
+      if (out[i].first == out.back().first)
+        throw CLI::ValidationError(
+            option + ' ' + text, '"' + out[i].first + "\" has a value already by " + option + ' ' +
+                                     texts[i] + "; leave one of them out");
+  }
+  return out;
+}
+
 std::pair<std::string, std::string> numberAssignment(const std::string& option,
                                                      const std::string& text) {
   auto out = assignment(text);

@@ -47,6 +47,9 @@ double instant(const std::string& text, const std::string& option);
 
 /// "name=value" → both. Throws CLI::ValidationError.
 std::pair<std::string, std::string> assignment(const std::string& text);
+/// The values of a repeated option. Throws CLI::ValidationError if a name is given twice.
+std::vector<std::pair<std::string, std::string>> assignments(const std::vector<std::string>& texts,
+                                                             const std::string& option = "--set");
 /// The same of `option`, whose value is a finite number.
 std::pair<std::string, std::string> numberAssignment(const std::string& option,
                                                      const std::string& text);

@@ -30,7 +30,7 @@ struct Texts {
 
 void addShow(CLI::App& command, Texts& t) {
   command.add_flag("--json", t.show.json, "print the content of run.json, nothing else");
-  command.add_flag("--quiet", t.show.quiet, "print errors only");
+  command.add_flag("--quiet", t.show.quiet, "print errors and warnings only");
   command.add_flag("--explain", t.show.explain,
                    "say why joints are coordinates or constraints, and which bodies may sleep");
   command
@@ -198,11 +198,13 @@ void addRun(CLI::App& app, Program& program) {
   CLI::App* c = app.add_subcommand("run", "simulate a model; results go to a folder");
   CLI::Option* model = c->add_option("MODEL", t->choice.model, "XML file");
   c->add_option("--until", t->until, "end time, replaces the model's")->type_name("TIME");
-  c->add_option("--step", t->step, "step length, replaces the model's")->type_name("TIME");
+  CLI::Option* step =
+      c->add_option("--step", t->step, "step length, replaces the model's")->type_name("TIME");
   c->add_option("--tolerance", t->choice.tolerance,
                 "accuracy, replaces the model's; the program chooses the steps")
       ->type_name("NUMBER")
-      ->check(positiveNumber());
+      ->check(positiveNumber())
+      ->excludes(step);
   c->add_option("--integrator", t->choice.integrator,
                 "scheme, replaces the model's; with attributes: \"ThetaMethod theta=1\"")
       ->type_name("SCHEME");
@@ -227,7 +229,7 @@ void addRun(CLI::App& app, Program& program) {
     t->choice.until = given(t->until, "--until");
     t->choice.step = given(t->step, "--step");
     readShow(*t);
-    for (const std::string& s : t->set) t->choice.set.push_back(assignment(s));
+    t->choice.set = assignments(t->set);
     t->choice.libraries = program.libraries;
     program.exitCode =
         t->live || !t->repeat.empty() ? runByHand(program, *t)

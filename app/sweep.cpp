@@ -58,10 +58,10 @@ Sweep asked(const SweepTexts& t) {
   s.choice.model = t.what, s.measures = t.measures, s.keep = t.keep;
   if (!t.until.empty()) s.choice.until = seconds(t.until, "--until");
   std::vector<Variation> all;
-  for (const std::string& text : t.set) {
-    const auto [name, values] = assignment(text);
+  for (const auto& [name, values] : assignments(t.set))
     all.push_back(readVariation(name, values, "--set"));
-  }
+  for (const Variation& v : all)
+    if (!v.doubt.empty() && !t.quiet) fmt::print(stderr, "dynamy: {}\n", v.doubt);
   for (const auto& [name, list] :
        {std::pair("--step", &t.step), {"--integrator", &t.integrator}, {"--solver", &t.solver}})
     if (!list->empty()) all.push_back(readVariation(name, joined(*list), name));
@@ -144,8 +144,8 @@ int goOn(Program& program, const Sweep& s, const SweepFolder& folder, const Swee
   for (std::size_t id = 1; id <= s.runs(); ++id)
     if (!folder.has(id)) left.push_back(id);
   if (!t.quiet)
-    fmt::print("{}   {} runs, {} of them done   {} at once\n", s.choice.model, s.runs(),
-               s.runs() - left.size(), t.jobs);
+    fmt::print("{}   {} runs, {} of them done   {} at once\n{}", s.choice.model, s.runs(),
+               s.runs() - left.size(), t.jobs, valuesText(s.plan));
   std::fflush(stdout);
   StatusLine line(t.quiet);
   std::size_t done = 0, lost = 0;

@@ -37,7 +37,7 @@ constexpr int kHalvings = 6;  ///< halvings of such an interval
 class Eigenvalues {
  public:
   Eigenvalues(Program& program, const EigenTask& task) : program_(program), task_(task) {
-    for (const std::string& s : task.set) options_.set.push_back(assignment(s));
+    options_.set = assignments(task.set);
   }
   Model load() const {
     return loadModel(task_.model, program_.registry, program_.plugins, options_);

@@ -88,7 +88,7 @@ void tellEquilibrium(Program& program, EquilibriumTask& task) {
   FileEquilibrium& wanted = task.wanted;
   wanted.file = task.model, wanted.options.relax = !task.asItIs;
   wanted.set.clear(), wanted.start.clear();
-  for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
+  wanted.set = assignments(task.set);
   for (const std::string& s : task.start) wanted.start.push_back(numberAssignment("--start", s));
   std::string name;
   double a = 0.0, b = 0.0;

@@ -27,11 +27,10 @@ void tellFit(Program& program, const FitTask& task) {
                  .each = task.each,
                  .tolerance = task.tolerance};
   for (const std::string& text : task.data) wanted.runs.push_back(runOfText(text));
-  for (const auto& [texts, into] : {std::pair{&task.set, &wanted.set},
-                                    {&task.sigma, &wanted.sigma},
-                                    {&task.bounds, &wanted.bounds},
-                                    {&task.priors, &wanted.priors}})
-    for (const std::string& s : *texts) into->push_back(assignment(s));
+  wanted.set = assignments(task.set);
+  wanted.sigma = assignments(task.sigma, "--sigma");
+  wanted.bounds = assignments(task.bounds, "--bounds");
+  wanted.priors = assignments(task.priors, "--prior");
   const Fit f = fit(wanted, program.registry, program.plugins);
   const std::filesystem::path folder = task.result.folder(task.model);
   writeWholeFile(folder / "residuals.csv", residualsCsv(f));

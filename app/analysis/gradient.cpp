@@ -62,7 +62,7 @@ void tellGradient(Program& program, const GradientTask& task) {
                       .by = task.by,
                       .checks = task.checks,
                       .tolerance = task.tolerance};
-  for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
+  wanted.set = assignments(task.set);
   const Gradient g = gradient(wanted, program.registry, program.plugins);
   task.result.tell(
       task.model, [&](JsonWriter& j) { writeGradient(j, g); }, gradientText(task.model, g));

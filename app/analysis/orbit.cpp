@@ -108,7 +108,7 @@ void tellOrbit(Program& program, const OrbitTask& task) {
                    .returns = task.returns,
                    .mirror = task.mirror,
                    .tolerance = task.tolerance};
-  for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
+  wanted.set = assignments(task.set);
   for (const std::string& s : task.start) wanted.start.push_back(numberAssignment("--start", s));
   if (!task.over.empty()) {
     tellBranch(program, task, wanted);

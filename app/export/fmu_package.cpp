@@ -135,7 +135,7 @@ FmuHead headOf(const Model& model, const std::string& identifier) {
 FmuResult fmuPackage(Program& program, const FmuTask& task) {
   std::map<std::string, double> parameters;
   LoadOptions options;
-  for (const std::string& s : task.set) options.set.push_back(assignment(s));
+  options.set = assignments(task.set);
   options.parameters = &parameters;
   for (const std::string& signal : task.signals)
     if (!signal.ends_with('*')) options.signals.push_back(signal);

@@ -116,7 +116,7 @@ void writeProblems(JsonWriter& json, const ProblemDump& d) {
 std::string warningsText(const RunReport& r, const Accepted* accepted) {
   std::string out;
   for (const Warning& w : r.warnings) {
-    if (accepted != nullptr && (says(w) != Says::qualifies || accepted->takes(w.kind))) continue;
+    if (accepted != nullptr && (says(w) == Says::note || accepted->takes(w.kind))) continue;
     if (w.kind != "unsolved")
       out += fmt::format(" {}  {}: {}\n", says(w) == Says::note ? "note   " : "WARNING", w.kind,
                          w.text);

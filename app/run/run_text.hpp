@@ -38,7 +38,7 @@ std::string failedChecks(const std::vector<CheckResult>& checks);
 std::string thinningText(const ReplaySize& size);
 
 /// One line for each warning, except those about unsolved inclusions, which unsolvedText() reports.
-/// With `accepted`: only the warnings that qualify the run and are not accepted.
+/// With `accepted`: without notes and without the kinds that are accepted.
 std::string warningsText(const RunReport& report, const Accepted* accepted = nullptr);
 
 /// "finished, but: …" with the exit status of a qualified run; empty if the run is not qualified or

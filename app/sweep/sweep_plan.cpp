@@ -1,6 +1,7 @@
 #include "sweep/sweep_plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <dynamy/io/files/output_file.hpp>
 #include <numbers>
 #include <random>
+#include <set>
 
 namespace dynamy::app {
 namespace {
@@ -61,6 +63,13 @@ void readRange(Variation& v, const std::vector<std::string>& part, const std::st
          "the last number of FROM:TO:COUNT is how many values there are: a whole number from 2 on");
   if (log && !(from > 0.0 && to > 0.0))
     fail(option, v.name, text, "a range with equal ratios needs positive bounds");
+  // FROM:STEP:TO, as other programs write it, has a last number beyond the second one and whole steps.
+  const double steps = (count - from) / to;
+  if (!log && from < to && to < 1.0 && steps == std::round(steps))
+    v.doubt = fmt::format(
+        "{} {}={} is FROM:TO:COUNT, {} values from {} to {}; steps of {} up to {} are {}={}:{}:{}",
+        option, v.name, text, part[2], part[0], part[1], part[1], part[2], v.name, part[0], part[2],
+        static_cast<long>(steps) + 1);
   for (double i = 0; i < count; ++i) {
     const double s = i / (count - 1);
     v.values.push_back(written(log ? from * std::pow(to / from, s) : from + (to - from) * s));
@@ -171,6 +180,25 @@ SweepPlan readTable(const std::string& file) {
     plan.rows.emplace_back(lines[i].begin() + static_cast<std::ptrdiff_t>(first), lines[i].end());
   }
   return plan;
+}
+
+std::string valuesText(const SweepPlan& plan) {
+  constexpr std::size_t kAll = 6, kFirst = 3;
+  std::string out;
+  for (std::size_t k = 0; k < plan.names.size(); ++k) {
+    std::vector<std::string> values;
+    std::set<std::string> seen;
+    for (const auto& row : plan.rows)
+      if (seen.insert(row[k]).second) values.push_back(row[k]);
+    out += fmt::format(" {} = ", plan.names[k]);
+    if (values.size() <= kAll)
+      out += fmt::format("{}\n", fmt::join(values, ", "));
+    else
+      out += fmt::format("{}, … {}   {} values\n",
+                         fmt::join(values.begin(), values.begin() + kFirst, ", "), values.back(),
+                         values.size());
+  }
+  return out;
 }
 
 std::string manifestText(const SweepPlan& plan) {

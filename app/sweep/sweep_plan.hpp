@@ -24,6 +24,7 @@ struct Variation {
   std::vector<std::string> values;  ///< empty if they are drawn
   Draw draw = Draw::none;
   double a = 0.0, b = 0.0;  ///< bounds, or mean and standard deviation
+  std::string doubt;        ///< how a range was read that may be meant as FROM:STEP:TO; else ""
   bool fixed() const { return draw == Draw::none && values.size() == 1; }
 };
 
@@ -47,6 +48,9 @@ SweepPlan planOf(const std::vector<Variation>& variations, int samples, std::uin
 
 /// Reads a plan from a CSV table of the user; a column "id" is ignored. Throws FileError.
 SweepPlan readTable(const std::string& file);
+
+/// The values of each varied name, a line each: " mu = 0.1, 0.2, 0.3, … 0.9   9 values".
+std::string valuesText(const SweepPlan& plan);
 
 /// manifest.csv: id, then the plan's columns.
 std::string manifestText(const SweepPlan& plan);
