@@ -152,7 +152,8 @@ std::string upwardGravity(const XmlNode& root) {
   std::vector<double> pull;
   forAll(root, [&](const XmlNode& node) {
     if (node.tag != "Gravity") return;
-    const std::vector<double> g = numbersOf(node.attribute("acceleration"));
+    std::vector<double> g = numbersOf(node.attribute("acceleration"));
+    if (node.attribute("acceleration") == nullptr) g = {0.0, 0.0, -9.81};  // its default
     if (g.size() == 3) gravity = &node, pull = g;
   });
   if (gravity == nullptr) return {};
@@ -169,6 +170,13 @@ std::string upwardGravity(const XmlNode& root) {
     }
   });
   if (plane == nullptr) return {};
+  // Gravity downward along z is as most models have it: then the plane is upside down.
+  if (pull[2] < 0.0 && pull[0] == 0.0 && pull[1] == 0.0)
+    return fmt::format(
+        " note: <Gravity> ({}) pulls bodies away from <HalfSpace> ({}): its normal points out of "
+        "the "
+        "ground to where the bodies are, normal=\"0 0 1\"\n",
+        lineOf(gravity->place), lineOf(plane->place));
   return fmt::format(
       " note: <Gravity> ({}) pulls bodies away from <HalfSpace> ({}): its acceleration points to "
       "where they fall, \"0 0 -9.81\"\n",

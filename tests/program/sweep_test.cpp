@@ -323,6 +323,24 @@ TEST_F(Sweep, DoesNotMixTwoSweeps) {
   EXPECT_EQ(call("sweep fall.xml --set h=1,2 --out s --restart"), 0) << err();
 }
 
+TEST_F(Sweep, TheValuesOfARangeAreTold) {
+  write("fall.xml", kFall);
+  ASSERT_EQ(call("sweep fall.xml --set h=1:2:5 --set v=0:0.9:10 --out s"), 0) << err();
+  EXPECT_NE(out().find("\n h = 1, 1.25, 1.5, 1.75, 2\n"), std::string::npos) << out();
+  EXPECT_NE(out().find("\n v = 0, 0.1, 0.2, … 0.9   10 values\n"), std::string::npos) << out();
+  EXPECT_EQ(err(), "");
+}
+
+TEST_F(Sweep, ARangeThatMayBeMeantAsFromStepToIsTold) {
+  write("fall.xml", kFall);
+  ASSERT_EQ(call("sweep fall.xml --set v=0:0.1:5 --out s"), 0) << err();
+  EXPECT_NE(
+      err().find("--set v=0:0.1:5 is FROM:TO:COUNT, 5 values from 0 to 0.1; steps of 0.1 up to "
+                 "5 are v=0:5:51"),
+      std::string::npos)
+      << err();
+}
+
 TEST_F(Sweep, MistakesAreNamed) {
   write("fall.xml", kFall);
   fs::create_directories(path("mine"));
@@ -333,6 +351,7 @@ TEST_F(Sweep, MistakesAreNamed) {
   } const kMistakes[] = {
       {"--set hh=1,2", "no parameter \"hh\" — did you mean \"h\"?", 2},
       {"--set h=1", "nothing varies", 64},
+      {"--set h=1,2 --set h=3", "\"h\" has a value already by --set h=1,2", 64},
       {"--set h=1:2", "a range is FROM:TO:COUNT, or FROM:TO:COUNT:log", 64},
       {"--set h=1:2:2.5", "how many values there are: a whole number from 2 on", 64},
       {"--set h=0:2:3:log", "needs positive bounds", 64},

@@ -18,6 +18,30 @@ Vec3 principalMoments(const Mat3& J) {
   return out;
 }
 
+bool isInertia(const Mat3& J) {
+  const Vec3 principal = principalMoments(J);
+  // The relative tolerance 1e-9 accepts thin plates whose numbers were rounded in the file.
+  return principal[0] > 0.0 && principal[0] + principal[1] >= principal[2] * (1.0 - 1e-9);
+}
+
+Mat3 symmetric(double xx, double yy, double zz, double xy, double xz, double yz) {
+  Mat3 J;
+  J << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return J;
+}
+
+/// The six numbers in our order, if they are an inertia row after row: Jxx Jxy Jxz Jyy Jyz Jzz, as in
+/// other formats; else `otherwise`.
+std::string inOurOrder(const ParameterValue& value, const std::string& otherwise) {
+  const std::vector<double>& v = value.numbers;
+  const std::vector<std::string> word = value.words();
+  if (v.size() != 6 || word.size() != 6 ||
+      !isInertia(symmetric(v[0], v[3], v[5], v[1], v[2], v[4])))
+    return otherwise;
+  return "the order is Jxx Jyy Jzz Jxy Jxz Jyz: write \"" + word[0] + ' ' + word[3] + ' ' +
+         word[5] + ' ' + word[1] + ' ' + word[2] + ' ' + word[4] + '"';
+}
+
 /// J from 3 or 6 numbers: Jxx Jyy Jzz [Jxy Jxz Jyz], the products as entries of the matrix.
 Mat3 readInertia(const ParameterValue& value) {
   const std::vector<double>& v = value.numbers;
@@ -25,17 +49,14 @@ Mat3 readInertia(const ParameterValue& value) {
     throw value.fault("3 or 6 numbers are needed: Jxx Jyy Jzz [Jxy Jxz Jyz]",
                       "here are " + std::to_string(v.size()), 0, value.text.size());
   Mat3 J = Vec3(v[0], v[1], v[2]).asDiagonal();
-  if (v.size() == 6) J(0, 1) = J(1, 0) = v[3], J(0, 2) = J(2, 0) = v[4], J(1, 2) = J(2, 1) = v[5];
-  const Vec3 principal = principalMoments(J);
-  if (!(principal[0] > 0.0))
-    throw value.fault("the inertia is not positive", "principal moments must be > 0", 0,
-                      value.text.size());
-  // The relative tolerance 1e-9 accepts thin plates whose numbers were rounded in the file.
-  if (principal[0] + principal[1] < principal[2] * (1.0 - 1e-9))
-    throw value.fault("no mass distribution has this inertia",
-                      "each principal moment is at most the sum of the other two", 0,
-                      value.text.size());
-  return J;
+  if (v.size() == 6) J = symmetric(v[0], v[1], v[2], v[3], v[4], v[5]);
+  if (isInertia(J)) return J;
+  const bool positive = principalMoments(J)[0] > 0.0;
+  throw value.fault(
+      positive ? "no mass distribution has this inertia" : "the inertia is not positive",
+      inOurOrder(value, positive ? "each principal moment is at most the sum of the other two"
+                                 : "principal moments must be > 0"),
+      0, value.text.size());
 }
 
 BodyMass readMass(const Parameters& x, const BodyParts& parts) {

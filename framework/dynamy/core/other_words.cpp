@@ -40,7 +40,8 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"helical leadscrew screwjoint", "", "a screw joint is <Screw>"},
   {"joint constraint mate equality connector", "", "a joint has the name of its kind: <Revolute>, <Prismatic>, <Spherical>, <Fixed>, …"},
   {"pulley tendon cable beltcable", "", "a rope is <Rope>, one over a pulley <SheaveRope>"},
-  {"motor actuator servo", "", "a motor is <JointMotor>, a drive with a given motion <JointDrive>, a controller <PdController>"},
+  {"motor servo", "", "a motor is <JointMotor>, a drive with a given motion <JointDrive>, a controller <PdController>"},
+  {"actuator", "", "motors and drives stand in <elements>, <JointMotor>, <JointDrive>, a controller in <forces>, <PdController>"},
   {"linkmotor motorrotationspeed rotationspeed motorspeed", "", "a motor with a speed and a largest moment is <JointMotor>, a drive with a given motion <JointDrive>"},
   {"mimic gearjoint coupler transmission gearbox", "", "joints that turn in a ratio are coupled by <Gear>"},
   {"parent child parentlink childlink parentbody childbody", "", "both sides of a joint stand in one attribute: <Revolute between=\"A B\">"},
@@ -75,7 +76,8 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   // Words of the file.
   {"bodies links parts objects", "", "bodies stand in <systems>"},
   {"joints constraints interactions materials sensors collisions", "", "joints, contacts and materials stand in <elements>"},
-  {"actuators springs loads", "", "springs, drives and loads stand in <forces>"},
+  {"actuators", "", "motors and drives stand in <elements>, <JointMotor>, <JointDrive>, a controller in <forces>, <PdController>"},
+  {"springs loads", "", "springs and loads stand in <forces>"},
   {"option options physics simulator solveroptions settings experiment time", "", "time, step, scheme and solver stand in <simulation>"},
   {"output outputs log logging sensor recorder plot plots scope", "", "what is kept of a run stands in <record>"},
   {"accelerometer gyro gyroscope imu", "", "recorded quantities have names, <record signals=\"ball.vz\"/>; accelerations are none of them, they follow from velocities"},
@@ -124,7 +126,7 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"omega angvel angularrate w w0 angularspeed spin initialangularvelocity angularvel", "angularVelocity", "the angular velocity is {}"},
   // Mass.
   {"m weight bodymass", "mass", "the mass is {}"},
-  {"inertia momentofinertia inertiatensor moment ixx iyy izz diaginertia fullinertia momentsofinertia inertiaxx j jxx jyy jzz", "inertia", "moments of inertia are {}",
+  {"inertia momentofinertia inertiatensor moment ixx iyy izz diaginertia fullinertia momentsofinertia inertiaxx j jxx jyy jzz ixy ixz iyz jxy jxz jyz", "inertia", "moments of inertia are {}, Jxx Jyy Jzz [Jxy Jxz Jyz]",
    "moments of inertia stand at the body, <RigidBody mass=\"…\" inertia=\"…\">; those of a shape follow from its mass or density"},
   {"rho", "density", "the density is {}"},
   {"com cog centerofmass centreofmass masscenter", "", "", "where mass and inertia are given, position=\"…\" is the centre of mass; else it follows from the shapes inside of the body"},

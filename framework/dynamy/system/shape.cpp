@@ -33,7 +33,7 @@ double furthest(const std::vector<Vec3>& points) {
 void declarePose(Attributes& a, const std::string& of) {
   a.vector("position", Unit::length, 3, "0 0 0", "origin of the " + of);
   a.vector("orientation", Unit::none, 4, "1 0 0 0",
-           "axes of the " + of + ": quaternion w x y z, normalised here");
+           "axes of the " + of + ": quaternion w x y z, normalised here; angles stand in euler");
   a.vector("euler", Unit::angle, 3, "0 0 0",
            "instead of orientation: turns about the fixed axes x, then y, then z");
 }

@@ -1,6 +1,7 @@
 /// Values of attributes: access for elements, and models built in C++, whose names and values are
 /// checked against the same declaration as those of a file.
 
+#include <algorithm>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/core/other_words.hpp>
@@ -182,6 +183,23 @@ std::string quotedList(const std::vector<std::string>& words, std::size_t most) 
   return words.size() > most ? out + ", …" : out;
 }
 
+namespace {
+
+/// "ball.*" for all names of "ball", if a list of all names would be cut.
+std::vector<std::string> byOwners(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 12;
+  if (names.size() <= kMost) return names;
+  std::vector<std::string> out;
+  for (const std::string& name : names) {
+    const std::size_t dot = name.rfind('.');
+    std::string shown = dot == std::string::npos ? name : name.substr(0, dot) + ".*";
+    if (std::find(out.begin(), out.end(), shown) == out.end()) out.push_back(std::move(shown));
+  }
+  return out;
+}
+
+}  // namespace
+
 std::string unknownNameHint(std::string_view name, const std::vector<std::string>& known) {
   if (const std::string meant = signalOfOthers(name, known); !meant.empty())
     return didYouMean(meant);
@@ -193,10 +211,12 @@ std::string unknownNameHint(std::string_view name, const std::vector<std::string
       same.push_back(k), last.push_back(k.substr(owner.size()));
   if (!same.empty()) {
     const std::string near = nearest(name.substr(owner.size()), last);
-    return near.empty() ? "known: " + quotedList(same) : didYouMean(std::string(owner) + near);
+    constexpr std::size_t kMostOfOne = 24;
+    return near.empty() ? "known: " + quotedList(same, kMostOfOne)
+                        : didYouMean(std::string(owner) + near);
   }
   if (const std::string near = nearest(name, known); !near.empty()) return didYouMean(near);
-  return known.empty() ? std::string() : "known: " + quotedList(known);
+  return known.empty() ? std::string() : "known: " + quotedList(byOwners(known));
 }
 
 }  // namespace dynamy

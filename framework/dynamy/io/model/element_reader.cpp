@@ -12,6 +12,11 @@
 namespace dynamy {
 namespace {
 
+const std::string kSideBySide =
+    "bodies stand side by side; a joint in <elements> connects two of them: <Revolute between=\"A "
+    "B\" "
+    "axis=\"…\"/>";
+
 constexpr std::array<std::string_view, 2> kNameAndClass{"name", "class"};
 
 /// Up to this number, all names are given to every element, so that its messages can list and
@@ -105,6 +110,9 @@ void ElementReader::unknownElement(const XmlNode& node, const Scope& scope, cons
       hint = "the plug-in \"" + *library + "\" is not loaded; add <plugin library=\"" + *library +
              "\"/> below <dynamy>";
   }
+  const RegisteredType* outer = registry_->find(parent.tag);
+  if (outer != nullptr && outer->kind == Kind::system && hint.ends_with("<systems>"))
+    hint += ": " + kSideBySide;
   if (hint.empty() && !allowed.empty()) hint = "known here: " + quotedList(allowed);
   faults_->add(scope, node.place, parent, "unknown element <" + node.tag + '>', std::move(hint));
 }
@@ -199,7 +207,10 @@ bool ElementReader::readChild(const XmlNode& child, const Scope& scope, const Xm
                (r.only.empty() ? std::string(kindText(r.kind)) : '<' + r.only + '>');
     faults_->add(scope, child.place, parent,
                  "<" + child.tag + "> is " + kindWithArticle(found->kind) + "; <" + parent.tag +
-                     (takes.empty() ? "> has no children" : "> takes: " + takes));
+                     (takes.empty() ? "> has no children" : "> takes: " + takes),
+                 found->kind == Kind::system && type.kind == Kind::system
+                     ? "put it into <systems>: " + kSideBySide
+                     : std::string());
     return false;
   }
   int& count = counts[static_cast<std::size_t>(rule - rules.begin())];
