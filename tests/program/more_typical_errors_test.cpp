@@ -71,7 +71,7 @@ const std::vector<WrongModel> kOtherWriting{
     {"mass=\"2\"", "mass=\"2\u00A0kg\"", "6:32", "no-break space", "write \"2kg\""},
     {"size=\"1 1 1\"", "size=“1 1 1”", "6:17", "typographic quotes", "write size=\"1 1 1\""},
     {"mass=\"2\"", "mass=\"1/3\"", "6:32", "\"/\"", "{1/3}"},
-    {"0.5\">", "0.5\" euler=\"0 0 90\">", "5:55", "radians", "90deg"},
+    {"0.5\">", "0.5\" euler=\"0 0 90\">", "5:59", "radians", "90deg"},
     {"<simulation", "<Simulation", "13:3", "<Simulation>", "<simulation>"},
     {"<systems>", "<systems><Box size=\"1 1 1\"/>", "3:12", "<Box> is a shape",
      "inside of <Grains>, <Ground>, <PlanarBody>, <PointMass>, <RigidBody>"},

@@ -40,7 +40,7 @@ const std::vector<WrongModel> kWrongModels{
     {"position=\"0 0 0.5\"", "pos=\"0 0 0.5\"", "5:29", "\"pos\"", "position="},
     {"0.5\">", "0.5\" quaternion=\"1 0 0 0\">", "5:48", "\"quaternion\"", "orientation="},
     {"0.5\">", "0.5\" rpy=\"0 0 1\">", "5:48", "\"rpy\"", "euler="},
-    {"0.5\">", "0.5\" euler=\"0 0 90\">", "5:55", "radians", "90deg"},
+    {"0.5\">", "0.5\" euler=\"0 0 90\">", "5:59", "radians", "90deg"},
     {"0.5\">", "0.5\" vel=\"0 0 1\">", "5:48", "\"vel\"", "velocity="},
     {"epsilonN=", "restitution=", "11:55", "\"restitution\"", "epsilonN="},
     {"mu=\"{mu}\"", "friction=\"{mu}\"", "11:68", "\"friction\"", "mu="},

@@ -180,6 +180,11 @@ std::optional<ValueFault> unitFault(const Attribute& a, const ReadWord& word, co
 std::optional<ValueFault> readFormulas(const Attribute& a, const ParameterValue& value) {
   if (a.unit == Unit::none) return std::nullopt;
   for (const ValuePart& part : value.parts(';')) {
+    // "2t" is no mass where t is the time: compiling it says so.
+    const std::size_t last = part.text.find_last_not_of('t');
+    if (last != std::string::npos && last + 2 == part.text.size() && part.text[last] >= '0' &&
+        part.text[last] <= '9')
+      continue;
     try {
       const ReadWord word{part.text, part.offset};
       if (auto fault = unitFault(a, word, parseQuantity(part.text), bool(value.locate)))
