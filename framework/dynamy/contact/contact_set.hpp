@@ -56,8 +56,9 @@ class ContactSet {
   LawInput input(int i, double dt, const double* gammaA) const {
     const auto at = static_cast<std::size_t>(i);
     const std::ptrdiff_t first = row0[at];
-    return {dim(i), dt, gammaA ? gammaA + first : nullptr,
-            position.empty() ? nullptr : position.data() + first, scale.empty() ? 1.0 : scale[at]};
+    return {dim(i), dt, gammaA ? gammaA + first : kZeroRows.data(),
+            position.empty() ? kZeroRows.data() : position.data() + first,
+            scale.empty() ? 1.0 : scale[at]};
   }
   /// γ = Wᵀu + χ, rows() entries.
   void gamma(ConstVec u, Vec gamma) const;

@@ -6,9 +6,11 @@
 /// One law object serves many contacts. Rows of a contact: the normal first (if there is one), then
 /// tangential ones, then spins.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <dynamy/core/declared/element.hpp>
 #include <dynamy/core/types.hpp>
+#include <dynamy/law/most_rows.hpp>
 #include <span>
 #include <string_view>
 
@@ -31,13 +33,17 @@ inline bool holds(RowKind kind) { return kind == RowKind::joint || kind == RowKi
 /// True: a row of this kind holds γ = 0 until its force reaches its bound.
 inline bool yields(RowKind kind) { return kind == RowKind::friction || kind == RowKind::drive; }
 
+/// Velocities or positions of a contact that are zero, or not known.
+inline constexpr std::array<double, kMostRows> kZeroRows{};
+
 /// Input of a law that differs from contact to contact.
 struct LawInput {
   int dim = 1;      ///< rows of this contact
   double dt = 0.0;  ///< sets of fixed size scale with it: a·dt in a step, 0 in a pure impact [s]
-  const double* gammaA = nullptr;  ///< relative velocities at the beginning of the step, dim [m/s]
-  /// Positions whose rates are the rows' γ (ContactSet::position), dim [m, rad]; null: all zero.
-  const double* position = nullptr;
+  /// Relative velocities at the beginning of the step, dim [m/s, rad/s]; zero where they are not known.
+  const double* gammaA = kZeroRows.data();
+  /// Positions whose rates are the rows' γ (ContactSet::position), dim [m, rad].
+  const double* position = kZeroRows.data();
   double scale = 1.0;  ///< factor on the set, given by the element (ContactRows::scale)
   /// Laws with two levels of friction count slip up to this speed as rest [m/s or rad/s]. It is far
   /// above the rounding of a held contact and far below any motion of interest. 0 if the contact is

@@ -41,6 +41,8 @@ class LawCheck {
       checkExpansion();
       checkStatus();
       checkDerivative();
+      checkSimpleSet();
+      checkScale();
     }
     return result_;
   }
@@ -64,7 +66,9 @@ class LawCheck {
     }
     return r;
   }
-  LawInput input() const { return {dim_, dt_, gammaA_.data(), nullptr}; }
+  LawInput input() const {
+    return {.dim = dim_, .dt = dt_, .gammaA = gammaA_.data(), .scale = scaled_};
+  }
   /// prox_C(z) in the metric diag(r)⁻¹.
   Rows prox(const Rows& r, const Rows& z) const {
     Rows out = z;
@@ -101,13 +105,16 @@ class LawCheck {
   void checkExpansion();
   void checkStatus();
   void checkDerivative();
+  void checkSimpleSet();
+  void checkScale();
+  Rows ofSimpleSet(const SimpleSet& set, const Rows& z) const;
 
   const SetValuedForceLaw& law_;
   int dim_;
   CheckOptions options_;
   std::mt19937 random_;
   std::string name_;
-  double dt_ = 1.0, scale_ = 0.0;
+  double dt_ = 1.0, scaled_ = 1.0, scale_ = 0.0;
   Rows gammaA_, r_, z_, p_, xi_;
   Verdict result_;
 };
@@ -213,6 +220,47 @@ void LawCheck::checkDerivative() {
                           B(i, j), dB.value[i], text(z_)));
     }
   }
+}
+
+/// Projection of z onto a simple set, with one r for all rows.
+LawCheck::Rows LawCheck::ofSimpleSet(const SimpleSet& set, const Rows& z) const {
+  Rows out = z;
+  const auto shrink = [](Eigen::Ref<Rows> x, double radius) {
+    const double length = x.norm();
+    if (length > radius) x *= std::max(radius, 0.0) / length;
+  };
+  if (set.shape == SimpleSet::Shape::interval)
+    out[0] = std::min(std::max(z[0], set.lower), set.upper);
+  else if (set.shape == SimpleSet::Shape::ball)
+    shrink(out, set.upper);
+  else if (set.shape == SimpleSet::Shape::friction)
+    out[0] = std::max(z[0], 0.0), shrink(out.tail(dim_ - 1), set.upper * out[0]);
+  return out;
+}
+
+/// Solvers and runs to a tolerance take simpleSet(), others prox(): both are one law.
+void LawCheck::checkSimpleSet() {
+  const SimpleSet set = law_.simpleSet(input());
+  if (set.shape == SimpleSet::Shape::other) return;
+  if (set.shape == SimpleSet::Shape::interval && dim_ != 1)
+    return fault(fmt::format("simpleSet: an interval has one row, not {}", dim_));
+  const Rows equal = Rows::Constant(dim_, r_[0]);
+  const Rows p = prox(equal, z_), expected = ofSimpleSet(set, z_);
+  if (!((p - expected).norm() <= kProjection * scale_))
+    fault(fmt::format("simpleSet and prox are two laws: of {} the set gives {}, prox {} (gammaA = {})",
+                      text(z_), text(expected), text(p), text(gammaA_)));
+}
+
+/// The set of twice the scale is twice the set; of a unilateral law the normal force is not scaled.
+void LawCheck::checkScale() {
+  if (!law_.scales() || law_.unilateral()) return;
+  constexpr double kTwice = 2.0;
+  scaled_ = kTwice;
+  const Rows p = prox(r_, kTwice * z_);
+  scaled_ = 1.0;
+  if (!((p - kTwice * p_).norm() <= kTwice * kProjection * scale_))
+    fault(fmt::format("scales() is true, but with LawInput::scale = 2 prox{} is {}, not {}",
+                      text(kTwice * z_), text(p), text(kTwice * p_)));
 }
 
 }  // namespace

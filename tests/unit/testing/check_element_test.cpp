@@ -1,6 +1,7 @@
 // The checker of user elements: right elements pass, each kind of mistake is named.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <dynamy/contact/simple_contact.hpp>
 #include <dynamy/core/rotation.hpp>
@@ -165,6 +166,35 @@ class OddLaw final : public SetValuedForceLaw {
   double projection_, derivative_;
 };
 
+/// Friction of 2 N/(1 + |γ^A|), with a factor in its simple set, with a part of the slip in prox, and with
+/// or without the scale.
+class SlipLaw final : public SetValuedForceLaw {
+ public:
+  SlipLaw(double set, double slip, bool scales) : set_(set), slip_(slip), scales_(scales) {}
+  int dim(int) const override { return 1; }
+  bool unilateral() const override { return false; }
+  RowKind rowKind(int) const override { return RowKind::friction; }
+  bool scales() const override { return true; }
+  void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override {
+    const double most = radius(in, slip_);
+    Lambda[0] = std::clamp(Lambda[0] - r[0] * xi[0], -most, most);
+  }
+  SimpleSet simpleSet(const LawInput& in) const override {
+    const double most = set_ * radius(in, 1.0);
+    return {SimpleSet::Shape::interval, -most, most};
+  }
+  Status status(const LawInput& in, const double* z) const override {
+    return std::abs(z[0]) > radius(in, slip_) ? Status::slip : Status::stick;
+  }
+
+ private:
+  double radius(const LawInput& in, double slip) const {
+    return (scales_ ? in.scale : 1.0) * in.dt * 2.0 / (1.0 + slip * std::abs(in.gammaA[0]));
+  }
+  double set_, slip_;
+  bool scales_;
+};
+
 bool says(const Verdict& check, const std::string& text) {
   return check.message().find(text) != std::string::npos;
 }
@@ -277,6 +307,17 @@ TEST(CheckLaw, ReportsAProxThatIsNotIdempotent) {
 
 TEST(CheckLaw, ReportsAWrongDerivative) {
   EXPECT_TRUE(says(checkLaw(OddLaw(1.0, 0.5), 1), "proxDerivative: A[0,0]"));
+}
+
+TEST(CheckLaw, ComparesTheSimpleSetWithProx) {
+  const Verdict right = checkLaw(SlipLaw(1.0, 1.0, true), 1);
+  EXPECT_TRUE(right) << right.message();
+  EXPECT_TRUE(says(checkLaw(SlipLaw(2.0, 1.0, true), 1), "simpleSet and prox are two laws"));
+  EXPECT_TRUE(says(checkLaw(SlipLaw(1.0, 0.0, true), 1), "simpleSet and prox are two laws"));
+}
+
+TEST(CheckLaw, ReportsAScaleThatIsNotUsed) {
+  EXPECT_TRUE(says(checkLaw(SlipLaw(1.0, 1.0, false), 1), "LawInput::scale = 2"));
 }
 
 TEST(CheckLaw, ReportsRowsTheLawDoesNotAccept) {

@@ -47,7 +47,7 @@ void ForceDirections::add(const Held& h, const HeldRows& rows, std::size_t i) {
   const double* t = decided ? h.direction.data() : k > 1 ? gamma + tangent : &h.sign;
   if (set.form == ForceSet::Form::reservoir) {
     double force[kMostRows];
-    set.set->support({d, 1.0, gamma + first, nullptr}, k, t, force);
+    set.set->support({d, 1.0, gamma + first}, k, t, force);
     for (int r = 0; r < k; ++r) entries.push_back({tangent + r, normal, -force[r]});
     return;
   }
