@@ -27,10 +27,13 @@ const NearContacts* IslandContacts::near(const IslandClocks& clocks) {
 }
 
 void IslandContacts::report(MechanicalSystem& s, const IslandClocks& clocks, const State& x,
-                            StepReport& report) {
+                            std::span<const Percussion> percussions, StepReport& report) {
   report.statuses = statuses(clocks, x.t), report.ownStatuses = true;
   keys_.clear();
   for (const HeldStatus& status : statuses_) keys_.push_back(status.key);
+  for (const Percussion& q : percussions) keys_.push_back(q.key);
+  std::sort(keys_.begin(), keys_.end());
+  keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
   report.uBeforeImpact = nullptr;
   for (const auto& c : clocks) {
     const IslandStep& step = c->now();
@@ -40,31 +43,25 @@ void IslandContacts::report(MechanicalSystem& s, const IslandClocks& clocks, con
   }
   s.evaluate(
       x, {.slot = 0, .held = HeldContacts{.keys = keys_, .follow = true, .near = near(clocks)}});
-  percussions(s, clocks, x, report.dt);
+  write(s, percussions, x, report.dt);
   report.contacts = s.slot(0).contacts.size();
 }
 
-/// Writes the percussions of steps that ended at x into the problem of slot 0.
-void IslandContacts::percussions(MechanicalSystem& s, const IslandClocks& clocks, const State& x,
-                                 double dt) {
+/// Writes percussions into the problem of slot 0, those of one contact added up.
+void IslandContacts::write(MechanicalSystem& s, std::span<const Percussion> percussions,
+                           const State& x, double dt) {
   ImpactProblem& p = s.impactProblem(x, dt);
   clearPercussions(p, x);
   const ContactSet& c = *p.contacts;
   index_.build(c.key);
-  for (const auto& clock : clocks) {
-    if (clock->now().to.t != x.t) continue;
-    const ImpactProblem& own = clock->system().problem();
-    const ContactSet& from = *own.contacts;
-    for (int i = 0; i < from.size(); ++i) {
-      const int k = index_.find(from.key[static_cast<std::size_t>(i)]);
-      if (k < 0) continue;
-      const int row = c.row0[static_cast<std::size_t>(k)],
-                there = from.row0[static_cast<std::size_t>(i)];
-      for (int r = 0; r < std::min(c.dim(k), from.dim(i)); ++r) {
-        p.Lambda()[row + r] = own.Lambda()[there + r];
-        p.gammaA[static_cast<std::size_t>(row + r)] =
-            own.gammaA[static_cast<std::size_t>(there + r)];
-      }
+  for (const Percussion& q : percussions) {
+    const int k = index_.find(q.key);
+    if (k < 0) continue;
+    const int row = c.row0[static_cast<std::size_t>(k)];
+    for (int r = 0; r < std::min(c.dim(k), q.dim); ++r) {
+      const auto at = static_cast<std::size_t>(r);
+      p.Lambda()[row + r] += q.Lambda[at];
+      p.gammaA[static_cast<std::size_t>(row + r)] = q.gammaMinus[at];
     }
   }
   p.gammaFree = p.gammaA;

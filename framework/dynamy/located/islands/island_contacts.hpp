@@ -11,16 +11,18 @@ class IslandContacts {
  public:
   /// Statuses of all contacts at t, ascending by key, valid until the next call.
   std::span<const HeldStatus> statuses(const IslandClocks& clocks, double t);
-  /// Evaluates all contacts at x, with those held, in slot 0 and reports statuses, velocities before
-  /// impacts at x, and percussions of steps that ended there.
-  void report(MechanicalSystem& s, const IslandClocks& clocks, const State& x, StepReport& report);
+  /// Evaluates all contacts at x, with those held and those of `percussions`, in slot 0, writes these
+  /// percussions into its problem, and reports statuses and velocities before impacts at x.
+  void report(MechanicalSystem& s, const IslandClocks& clocks, const State& x,
+              std::span<const Percussion> percussions, StepReport& report);
   /// As OneStep::contactsAt.
   bool at(MechanicalSystem& s, const IslandClocks& clocks, const State& at, bool after,
           ContactInstant& out);
 
  private:
   const NearContacts* near(const IslandClocks& clocks);
-  void percussions(MechanicalSystem& s, const IslandClocks& clocks, const State& x, double dt);
+  void write(MechanicalSystem& s, std::span<const Percussion> percussions, const State& x,
+             double dt);
   std::vector<HeldStatus> statuses_;
   std::vector<ContactKey> keys_;
   NearContacts near_;

@@ -17,7 +17,7 @@ void IslandRecord::begin(RunPatience* patience) {
   patience_ = patience;
   if (!reported_) return;
   reported_ = endedByMotion_ = false;
-  counts_ = {}, works_ = {}, solved_ = {}, impacts_.clear();
+  counts_ = {}, works_ = {}, solved_ = {}, impacts_.clear(), percussions_.clear();
 }
 
 void IslandRecord::effort(IslandClock& c) {
@@ -39,12 +39,28 @@ void IslandRecord::end(IslandClock& c) {
   if (r.counts.accumulations > 0) counts_.accumulationEnd = r.counts.accumulationEnd;
   counts_.unseen = std::max(counts_.unseen, r.counts.unseen);
   eachWork([&](double StepWorks::*w) { works_.*w += r.works.*w - c.booked.*w; });
+  addPercussions(c.system().problem());
   impacts_.insert(impacts_.end(), r.impacts.begin(), r.impacts.end());
   endedByMotion_ = endedByMotion_ || c.motion().motion().parts().endedByMotion;
   const int iterations = solved_.iterations + r.solved.iterations;
   if (!r.solved.ok() || r.solved.residuals.largest() > solved_.residuals.largest())
     solved_ = r.solved, solved_.residuals.worst = -1;
   solved_.iterations = iterations;
+}
+
+void IslandRecord::addPercussions(const ImpactProblem& p) {
+  const ContactSet& c = *p.contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    const int first = c.row0[static_cast<std::size_t>(i)], dim = c.dim(i);
+    if (p.Lambda().segment(first, dim).isZero(0.0)) continue;
+    Percussion& q = percussions_.emplace_back();
+    q.key = c.key[static_cast<std::size_t>(i)], q.dim = dim;
+    for (int r = 0; r < dim; ++r) {
+      const auto k = static_cast<std::size_t>(r);
+      q.Lambda[k] = p.Lambda()[first + r];
+      q.gammaMinus[k] = p.gammaA[static_cast<std::size_t>(first + r)];
+    }
+  }
 }
 
 /// Works are known at the end of the step. Up to t they are taken in proportion to time, but for the

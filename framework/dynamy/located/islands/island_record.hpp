@@ -19,16 +19,20 @@ class IslandRecord {
   void report(StepReport& report);
 
   const std::vector<LocatedImpact>& impacts();
+  /// Percussions and impulses of the steps that ended, one for each contact and step. [N s]
+  const std::vector<Percussion>& percussions() const { return percussions_; }
   bool endedByMotion() const { return endedByMotion_; }
   const SolveReport& solved() const { return solved_; }
 
  private:
+  void addPercussions(const ImpactProblem& p);
   RunPatience* patience_ = nullptr;  // of the run; borrowed until the step of the run ends
   bool reported_ = true;
   StepCounts counts_;
   StepWorks works_;
   SolveReport solved_;
   std::vector<LocatedImpact> impacts_;
+  std::vector<Percussion> percussions_;
   bool endedByMotion_ = false;
 };
 

@@ -301,7 +301,7 @@ void LocatedIslands::report(MechanicalSystem& s, const State& x, SteppedState& s
                             StepReport& report) {
   for (const auto& c : clocks_) c->now().to.t == x.t ? record_.end(*c) : record_.pass(s, *c, x.t);
   const bool all = !stepped.any();
-  if (all) contacts_.report(s, clocks_, x, report);
+  if (all) contacts_.report(s, clocks_, x, record_.percussions(), report);
   record_.report(report);
   report.counts.islands = static_cast<int>(clocks_.size());
   report.works.given = all, report.impacts = record_.impacts();

@@ -46,6 +46,15 @@ void StepRecord::event(const SwitchEvent& event, const FrozenPhase& phase, doubl
   addWorks(event.impact().works());
 }
 
+void StepRecord::struck(std::vector<ContactKey>& out) const {
+  out.clear();
+  for (const Percussion& q : percussions_)
+    if (std::any_of(q.Lambda.begin(), q.Lambda.begin() + q.dim, [](double v) { return v != 0.0; }))
+      out.push_back(q.key);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+}
+
 void clearPercussions(ImpactProblem& p, const State& x) {
   const ContactSet& c = *p.contacts;
   p.Lambda().setZero();

@@ -35,6 +35,8 @@ class StepRecord {
   const Eigen::VectorXd* uBeforeImpact(double t) const {
     return tImpact_ == t ? &uBefore_ : nullptr;
   }
+  /// Contacts with a percussion in the step, ascending.
+  void struck(std::vector<ContactKey>& out) const;
   /// Writes impulses, statuses, impacts and works into the report of a step that ended at x.
   void report(MechanicalSystem& s, const FrozenPhase& phase, State& x, StepReport& report);
 
