@@ -2,6 +2,7 @@
 #include <cmath>
 #include <dynamy/system/description.hpp>
 #include <dynamy_elements/blocks/block_states.hpp>
+#include <dynamy_elements/forces/nearest_road_point.hpp>
 #include <dynamy_elements/forces/tyre.hpp>
 
 namespace dynamy {
@@ -9,14 +10,6 @@ namespace {
 
 /// Cosine of the camber below which the wheel lies on its side and has no contact.
 constexpr double kLies = 1e-6;
-
-/// Newton steps for the point of a road that is not flat, and the distance along the road to which
-/// it is found, over the radius: the slope there, and so the force, is off by as much.
-constexpr int kMostSteps = 20;
-constexpr double kFound = 1e-13;
-
-/// Distance for differences of slopes, over the radius; they lead the search and leave no trace.
-constexpr double kBeside = 1e-6;
 
 }  // namespace
 
@@ -37,8 +30,9 @@ void Tyre::declare(Attributes& a) {
            "normal of the road, a plane through the origin of B, in axes of B")
       .notZero();
   a.add(AttributeType::expression, "height", std::nullopt,
-        "height of a road that is not flat, a formula of x and y in axes of B, whose radii of "
-        "curvature are above that of the wheel, e.g. 0.05*exp(-((x - 10)/0.5)^2); default: 0")
+        "height of a road that is not flat, a formula of x and y in axes of B: edges may be sharp, "
+        "hollows are wider than the wheel, bumps than an eighth of its radius, e.g. "
+        "0.05*exp(-((x - 10)/0.5)^2); default: 0")
       .in(Unit::length)
       .mayBeAbsent();
   a.required("stiffness", Unit::stiffness, "of the carcass, C_z, along the normal").positive();
@@ -112,12 +106,8 @@ void Tyre::connect(Topology& topology) {
   height_.connect(topology, *this);
 }
 
-/// From the centre of the wheel to the point of the circle of radius R − ρ that is lowest along n.
 Vec3 Tyre::crown(const Vec3& axle, const Vec3& n) const {
-  const double sine = axle.dot(n);
-  const double cosine = (axle - sine * n).norm();
-  if (cosine < kLies) return Vec3::Zero();
-  return -(radius_ - tube_) / cosine * (n - sine * axle);
+  return NearestRoadPoint::crown(axle, radius_ - tube_, n);
 }
 
 Tyre::Road Tyre::road(const Kinematics& k) const {
@@ -125,27 +115,14 @@ Tyre::Road Tyre::road(const Kinematics& k) const {
   if (height_.empty()) return {B.A_IK * normal_, B.r_OS_I};
   const Vec3 c = B.A_IK.transpose() * (W.r_OS_I - B.r_OS_I);
   const Vec3 axle = B.A_IK.transpose() * (W.A_IK * axis_);
-  Vec3 n, r_o;  // in axes of B
-  const auto residual = [&](const Eigen::Vector2d& at) -> Eigen::Vector2d {
-    const double z = height_.value(k, at.data());
-    const double zx = height_.partial(0), zy = height_.partial(1);
-    n = Vec3(-zx, -zy, 1.0).normalized(), r_o = Vec3(at[0], at[1], z);
-    const Vec3 way = c + crown(axle, n) - r_o;
-    return {way.x() + zx * way.z(), way.y() + zy * way.z()};
+  const auto height = [&](double x, double y) {
+    const double at[2] = {x, y};
+    const double z = height_.value(k, at);
+    return NearestRoadPoint::Height{z, height_.partial(0), height_.partial(1)};
   };
-  Eigen::Vector2d at = c.head<2>();
-  for (int i = 0; i < kMostSteps; ++i) {
-    const Eigen::Vector2d f = residual(at);
-    if (!(f.cwiseAbs().maxCoeff() > kFound * radius_)) break;
-    Eigen::Matrix2d J;
-    for (int j = 0; j < 2; ++j)
-      J.col(j) =
-          (residual(at + kBeside * radius_ * Eigen::Vector2d::Unit(j)) - f) / (kBeside * radius_);
-    const Eigen::Vector2d step = J.fullPivLu().solve(f);
-    at -= step * std::min(1.0, radius_ / std::max(step.norm(), kFound));
-  }
-  residual(at);
-  return {B.A_IK * n, B.r_OS_I + B.A_IK * r_o};
+  const NearestRoadPoint::Point p =
+      NearestRoadPoint(c, axle, radius_ - tube_, tube_, height).find();
+  return {B.A_IK * p.n, B.r_OS_I + B.A_IK * p.r};
 }
 
 Tyre::Meeting Tyre::meeting(const Kinematics& k) const {

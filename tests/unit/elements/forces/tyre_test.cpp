@@ -178,6 +178,37 @@ TEST(Tyre, FindsTheNearestPointOfARoundRoad) {
   EXPECT_NEAR(deflectionOn("3 - sqrt(9 - x^2 - y^2)", wheel, "0.1"), 0.1 - (3.0 - farthest), 1e-12);
 }
 
+TEST(Tyre, MeetsAnEdgeThatIsSharperThanTheWheelWhereItIsNearest) {
+  // The rounded edge of a kerb of 5 cm, of radius of curvature 2 e/s down to 0.3 mm, and a hump of 0.1 m
+  // width: without camber the deflection is R less the least distance of the axle from the road, found
+  // here among 4e5 places: off by (spacing of 5 µm)² over twice the radius of curvature, 4e-8 m.
+  const double R = 0.3;
+  struct Road {
+    std::string formula;
+    double (*z)(double);
+  };
+  const Road roads[] = {
+      {"0.05 + 3*(x - sqrt(x^2 + 1e-4))",
+       [](double x) { return 0.05 + 3.0 * (x - std::sqrt(x * x + 1e-4)); }},
+      {"0.05 + 3*(x - sqrt(x^2 + 1e-6))",
+       [](double x) { return 0.05 + 3.0 * (x - std::sqrt(x * x + 1e-6)); }},
+      {"0.05*exp(-(x/0.05)^2)", [](double x) { return 0.05 * std::exp(-400.0 * x * x); }}};
+  for (const auto& [formula, z] : roads)
+    for (const double x : {-0.45, -0.36, -0.3, -0.2, -0.1, -0.03, 0.0, 0.02, 0.2}) {
+      const double height = 0.31 + (x > -0.25 ? 0.03 : 0.0);
+      double least = 10.0;
+      for (int i = -200000; i <= 200000; ++i)
+        least = std::min(least, std::hypot(5e-6 * i - x, z(5e-6 * i) - height));
+      const std::string wheel = R"(euler="-90deg 0 0" position=")" + numberText(x) + " 0 " +
+                                numberText(height) + "\"";
+      const double deflection = deflectionOn(formula, wheel, "0.1");
+      if (least < R)
+        EXPECT_NEAR(deflection, R - least, 4e-8) << formula << " at " << x;
+      else
+        EXPECT_LE(deflection, 0.0) << formula << " at " << x;  // in the air, as far as is known
+    }
+}
+
 TEST(Tyre, RollsOutAgainstAResistanceThatFollowsItsLoad) {
   // (m + J/h²) a = −T/h with T = f R N and h the height of the axle; slips of f/15 are left out.
   // Its large inertias about the other axes keep it from falling over.
