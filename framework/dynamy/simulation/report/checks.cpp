@@ -141,16 +141,25 @@ Checks::Checks(const Model& model) : all_(model.checks), sampler_(model, signals
 void Checks::start(const StepView& initial) {
   t_ = initial.after.t;
   sampler_.sample(initial, 1.0, values_);
+  feedStart(t_, nullptr);
+  waits_ = sampler_.readsForces();
+}
+
+/// Values at the start: of forces, from the first step on; of others, before it.
+void Checks::feedStart(double t, const StepView* first) {
+  if (first != nullptr) sampler_.sampleForces(*first, values_);
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
     const CheckSettings& c = measurements_[i].settings();
-    const bool wanted = c.measure == Measure::value ? c.at <= t_ : c.from <= t_;
-    if (wanted) measurements_[i].add(t_, values_[i]);
+    const bool wanted = c.measure == Measure::value ? c.at <= t : c.from <= t;
+    if (wanted && sampler_.readsForces(i) == (first != nullptr)) measurements_[i].add(t, values_[i]);
   }
 }
 
 void Checks::step(const StepView& view) {
   t_ = view.after.t;
   if (measurements_.empty()) return;
+  if (waits_) feedStart(view.before.t, &view);
+  waits_ = false;
   sampler_.sample(view, 1.0, values_);
   for (std::size_t i = 0; i < measurements_.size(); ++i) feed(view, i, values_[i]);
 }
@@ -267,9 +276,9 @@ std::vector<CheckResult> Checks::results(const RunReport& report) const {
 }
 
 void Checks::archive(Archive& a) {
-  a.section("checks");
+  a.section("checks 2");
   for (Measurement& m : measurements_) m.archive(a);
-  a(t_);
+  a(t_), a(waits_);
 }
 
 }  // namespace dynamy

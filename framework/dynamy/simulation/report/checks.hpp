@@ -72,6 +72,7 @@ class Checks final : public Observer {
   void archive(Archive& a) override;
 
  private:
+  void feedStart(double t, const StepView* first);
   void feed(const StepView& view, std::size_t i, double end);
   /// ∫ s dt from a to b within a step.
   double area(const StepView& view, std::size_t i, double a, double b);
@@ -84,6 +85,7 @@ class Checks final : public Observer {
   std::vector<Measurement> measurements_;  ///< of the checks on signals
   std::vector<double> values_;
   double t_ = 0.0;
+  bool waits_ = false;  ///< forces at the start wait for the first step
 };
 
 }  // namespace dynamy

@@ -55,12 +55,25 @@ Recorder::Recorder(const Model& model, RecordSink& sink)
 }
 
 void Recorder::start(const StepView& initial) {
-  row(initial, initial.after.t, 1.0);
+  if (sampler_.readsForces())
+    first_.resize(values_.size()), sampler_.sample(initial, 1.0, first_);
+  else
+    row(initial, initial.after.t, 1.0);
   frame(initial, initial.after.t, 1.0);
   rows_.startedAt(initial.after.t), nextFrame_ = 1;
 }
 
+/// Writes the row of the start, with the forces of the first step.
+void Recorder::writeFirst(const StepView& view, bool forces) {
+  if (first_.empty()) return;
+  if (forces) sampler_.sampleForces(view, first_);
+  values_.swap(first_);
+  first_.clear();
+  write(view.before.t);
+}
+
 void Recorder::step(const StepView& view) {
+  writeFirst(view, true);
   for (double t = rows_.next(); reached(view, t) && fraction(view, t) < 1.0; t = rows_.next()) {
     row(view, t, fraction(view, t));
     rows_.pass();
@@ -82,6 +95,7 @@ void Recorder::step(const StepView& view) {
 }
 
 void Recorder::finish(const StepView& last) {
+  writeFirst(last, false);
   if (!last.whole || last.report.dt <= 0.0) return;
   const double near = 1e-9 * last.report.dt;
   if (lastRow_ < last.after.t - near) row(last, last.after.t, 1.0);
@@ -173,12 +187,14 @@ void Recorder::Resting::archive(Archive& a) {
 }
 
 void Recorder::archive(Archive& a) {
-  a.section("recorder 2");  // the number counts changes of the layout
+  a.section("recorder 3");  // the number counts changes of the layout
   std::uint64_t columns = values_.size();
   a(columns);
   if (columns != values_.size()) throw ModelError("the checkpoint records other signals");
   long nextRow = rows_.row();
-  a(nextRow), a(nextFrame_), a(impactFrames_), a(lastRow_), a(lastFrame_), a(resting_);
+  a(nextRow), a(nextFrame_), a(impactFrames_), a(lastRow_), a(lastFrame_), a(resting_), a(first_);
+  if (!first_.empty() && first_.size() != values_.size())
+    throw ModelError("the checkpoint holds a first row of other signals");
   if (nextRow < 0 || nextFrame_ < 0 || impactFrames_ < 0)
     throw ModelError("the checkpoint counts its recorded rows from below zero");
   rows_.resume(nextRow, lastRow_);

@@ -47,6 +47,7 @@ class Recorder final : public Observer {
   };
   void row(const StepView& view, double t, double theta);
   void write(double t);
+  void writeFirst(const StepView& view, bool forces);
   void frame(const StepView& view, double t, double theta);
   void contacts(const StepView& view, bool atEnd);
   RecordSink& sink_;
@@ -62,6 +63,7 @@ class Recorder final : public Observer {
   long nextFrame_ = 0, impactFrames_ = 0;
   double lastRow_ = -1.0, lastFrame_ = -1.0;
   std::vector<double> values_;
+  std::vector<double> first_;  // row of the start that waits for its forces; empty: none
   std::vector<FramePose> poses_;
   std::vector<ContactRecord> contacts_;
   std::vector<Resting> resting_;

@@ -22,6 +22,13 @@ bool matches(std::string_view name, std::string_view pattern) {
   return name == pattern;
 }
 
+/// Is this the name of a signal of a contact, as describeContact() makes them?
+bool isOfContact(std::string_view name) {
+  for (const char* part : {".lambda_", ".Lambda_", ".gamma_"})
+    if (name.find(part) != std::string_view::npos) return true;
+  return name.ends_with(".status") || name.ends_with(".g");
+}
+
 Diagnostic unknownSignal(const Model& model, const std::string& name, const Place& place) {
   std::vector<std::string> known;
   for (const NamedSignal& s : model.signals()) known.push_back(s.name);
@@ -30,6 +37,9 @@ Diagnostic unknownSignal(const Model& model, const std::string& name, const Plac
   d.element = "record";
   d.text = "no signal named \"" + name + "\"";
   d.hint = unknownNameHint(name, known);
+  if (isOfContact(name) && name.find('-') != std::string::npos)
+    d.hint += "; contacts of two shapes have signals A-B.lambda_N, and A-B.FEATURE.lambda_N for each "
+              "place, where at most 64 pairs of shapes can touch; the sum on a <Ground> is its Fx, Fy, Fz";
   return d;
 }
 
@@ -74,7 +84,23 @@ std::vector<const NamedSignal*> chooseSignals(const Model& model,
 SignalSampler::SignalSampler(const Model& model, std::vector<const NamedSignal*> signals)
     : model_(model), signals_(std::move(signals)) {
   kinematics_.resize(model.topology());
-  for (const NamedSignal* s : signals_) ofContacts_ = ofContacts_ || s->contact >= 0;
+  for (const NamedSignal* s : signals_) {
+    ofContacts_ = ofContacts_ || s->contact >= 0;
+    readsForces_ = readsForces_ || isOfForces(*s);
+  }
+}
+
+/// Forces of contacts and joints, which are no signals of the state, and their statuses.
+bool SignalSampler::isOfForces(const NamedSignal& s) {
+  if (s.contact < 0 || s.signal.ofState) return false;
+  return s.signal.unit == Unit::force || s.signal.unit == Unit::torque || s.name.ends_with("status");
+}
+
+void SignalSampler::sampleForces(const StepView& first, std::span<double> out) {
+  if (!readsForces_) return;
+  place(first, 0.0, ofContacts_);
+  for (std::size_t i = 0; i < signals_.size(); ++i)
+    if (isOfForces(*signals_[i])) out[i] = value(first, *signals_[i]);
 }
 
 void SignalSampler::look(const StepView& view, bool after, bool ofContacts) {

@@ -24,11 +24,18 @@ class SignalSampler {
   void sample(const StepView& view, double theta, std::span<double> out);
   /// Signal number i alone.
   double sampleOne(const StepView& view, double theta, std::size_t i);
+  /// True: some signals are forces, or statuses that forces decide. At the start of a run nothing tells
+  /// them: the first step does.
+  bool readsForces() const { return readsForces_; }
+  bool readsForces(std::size_t i) const { return isOfForces(*signals_[i]); }
+  /// In place of their values at the start, those of such signals at the beginning of the first step.
+  void sampleForces(const StepView& first, std::span<double> out);
   /// Signals right before the switch or the impact at the end of the step.
   void sampleBeforeImpact(const StepView& view, std::span<double> out);
   double sampleBeforeImpact(const StepView& view, std::size_t i);
 
  private:
+  static bool isOfForces(const NamedSignal& signal);
   void place(const StepView& view, double theta, bool ofContacts);
   void placeBeforeImpact(const StepView& view, bool ofContacts);
   /// Asks the scheme for the contacts at at_, if signals of contacts are wanted.
@@ -40,6 +47,7 @@ class SignalSampler {
   State at_;
   ContactInstant instant_;
   bool ofContacts_ = false;  // some signal belongs to a contact
+  bool readsForces_ = false;
   bool known_ = false;       // instant_ holds the contacts at at_
 };
 

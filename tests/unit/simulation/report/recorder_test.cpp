@@ -44,6 +44,27 @@ TEST(Recorder, GivenInstantsAreAllRowsOrFurtherOnes) {
   EXPECT_EQ(instants(0.1), (std::vector<double>{0.0, 0.0333, 0.1, 0.17, 0.2, 0.25}));
 }
 
+TEST(Recorder, TheFirstRowHasTheForcesWithWhichTheMotionBegins) {
+  // A ball of 1 kg that rests: 10 N, from the first row on, also as the smallest of all.
+  Model m = ballOnFloor(0.0, 0.0, 0.0, 0.3, 0.25, 0.1);
+  m.record.signals = {"floor.lambda_N", "floor.Lambda_N", "floor.status", "ball.z"};
+  CheckSettings least;
+  least.signal = "floor.lambda_N", least.measure = CheckSettings::Measure::min;
+  least.low = 10.0 - 1e-12, least.high = 10.0 + 1e-12;  // rounding
+  m.checks = {least};
+  m.build();
+  Table table;
+  Simulation s(m);
+  s.record(table);
+  s.run();
+  EXPECT_TRUE(s.checks()[0].pass) << s.checks()[0].got;
+  ASSERT_GE(table.rows.size(), 3u);
+  EXPECT_EQ(table.t[0], 0.0);
+  EXPECT_NEAR(table.rows[0][0], 10.0, 1e-12);
+  EXPECT_EQ(table.rows[0][1], 0.0);  // no step has had a percussion
+  EXPECT_EQ(table.rows[0][2], table.rows[2][2]);
+}
+
 TEST(Recorder, AThousandRowsAreTheDefault) {
   Model m = ballOnFloor(1.0, 2.0, 0.0, 0.0, 0.5, 1e-3);
   EXPECT_EQ(recorded(m).t.size(), 1001u);
