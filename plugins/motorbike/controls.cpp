@@ -62,7 +62,7 @@ void WheelBrake::contacts(const Kinematics& k, ContactSink& sink) const {
   if (rows.wantsBias()) rows.bias(0) = changes ? (1.0 - kDrag) / rise_ * k.u(system_)[wheel_] : 0.0;
 }
 
-void WheelBrake::describe(Description& d) const { describeContact(d, 0, 1, law_); }
+void WheelBrake::describe(Description& d) const { describeContact(d, 0, 1, law_, {}, kAllAngular); }
 
 void RiderSteering::declare(Attributes& a) {
   a.about(

@@ -93,8 +93,8 @@ void JointStop::contacts(const Kinematics& k, ContactSink& sink) const {
 
 void JointStop::describe(Description& d) const {
   coordinate().describe(d);
-  if (std::isfinite(lower_)) describeContact(d, 0, 1, *law_, "lower.");
-  if (std::isfinite(upper_)) describeContact(d, 1, 1, *law_, "upper.");
+  if (std::isfinite(lower_)) describeContact(d, 0, 1, *law_, "lower.", angularRow());
+  if (std::isfinite(upper_)) describeContact(d, 1, 1, *law_, "upper.", angularRow());
 }
 
 // ---- JointDrive --------------------------------------------------------------------------------
@@ -137,7 +137,7 @@ void JointDrive::contacts(const Kinematics& k, ContactSink& sink) const {
 
 void JointDrive::describe(Description& d) const {
   coordinate().describe(d);
-  describeContact(d, 0, 1, bilateral_);
+  describeContact(d, 0, 1, bilateral_, {}, angularRow());
   TimeFormulas::announce(d, {&motion_});
 }
 
@@ -191,7 +191,7 @@ void JointMotor::contacts(const Kinematics& k, ContactSink& sink) const {
 
 void JointMotor::describe(Description& d) const {
   coordinate().describe(d);
-  describeContact(d, 0, 1, law_);
+  describeContact(d, 0, 1, law_, {}, angularRow());
   announceInstants(d, [this](double t) {
     double next = speed_.nextInstant(t);
     for (const SignalFormulas* f : {&speedOfSignals_, &speedRate_, &scale_})
@@ -238,7 +238,7 @@ void JointFriction::contacts(const Kinematics& k, ContactSink& sink) const {
 
 void JointFriction::describe(Description& d) const {
   coordinate().describe(d);
-  describeContact(d, 0, 1, *law_);
+  describeContact(d, 0, 1, *law_, {}, angularRow());
   SignalFormulas::announce(d, {&scale_});
 }
 

@@ -5,6 +5,7 @@
 ///   JointMotor     γ = ẋ − speed(t)                          held while |force| < limit
 ///   JointFriction  γ = ẋ                                     any law that always acts
 #pragma once
+#include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/law/standard_laws.hpp>
 #include <dynamy_elements/joints/joint_coordinate.hpp>
@@ -24,6 +25,8 @@ class CoordinateLaw : public NonSmoothElement {
 
  protected:
   const JointCoordinate& coordinate() const { return coordinate_; }
+  /// For describeContact().
+  AngularRows angularRow() const { return coordinate_.isAngle() ? kAllAngular : 0U; }
   void hasUnits(const Parameters& x, const char* name, Unit ofAngle, Unit ofDisplacement) {
     coordinate_.hasUnits(x, name, ofAngle, ofDisplacement);
   }

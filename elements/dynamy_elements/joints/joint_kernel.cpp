@@ -200,15 +200,30 @@ void Joint::describeSignal(const JointSignal& c, Description& d) const {
   d.signals.back().ofState = true;
 }
 
+namespace {
+
+AngularRows angularRows(const std::vector<JointRow>& rows) {
+  AngularRows out = 0;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    if (rows[r].kind == JointRow::Kind::angle || rows[r].kind == JointRow::Kind::spin ||
+        rows[r].kind == JointRow::Kind::turn)
+      out |= 1U << r;
+  return out;
+}
+
+}  // namespace
+
 void Joint::describe(Description& d) const {
   if (!rows_.points.empty() && rows_.points.front().kind == JointRow::Kind::distance)
     d.link({frames_.A.index, frames_.B.index, rows_.pointA, rows_.pointB});
   if (!rows_.points.empty())
     describeContact(d, 0, static_cast<int>(rows_.points.size()), bilateral_);
   if (!rows_.angles.empty())
-    describeContact(d, 1, static_cast<int>(rows_.angles.size()), bilateral_, "angles.");
+    describeContact(d, 1, static_cast<int>(rows_.angles.size()), bilateral_, "angles.",
+                    kAllAngular);
   if (!rows_.free.empty())
-    describeContact(d, 2, static_cast<int>(rows_.free.size()), *friction_, "friction.");
+    describeContact(d, 2, static_cast<int>(rows_.free.size()), *friction_, "friction.",
+                    angularRows(rows_.free));
   if (!rows_.coupled.empty())
     describeContact(d, 3, static_cast<int>(rows_.coupled.size()), bilateral_, "screw.");
   for (const JointSignal& c : rows_.signals) describeSignal(c, d);

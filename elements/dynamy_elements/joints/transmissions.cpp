@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/core/declared/two_names.hpp>
@@ -105,7 +106,11 @@ void Coupling::contacts(const Kinematics& k, ContactSink& sink) const {
   for (const Part& p : parts_) out.bias(0) += p.factor * p.row.bias(k);
 }
 
-void Coupling::describe(Description& d) const { describeContact(d, 0, 1, *law_); }
+void Coupling::describe(Description& d) const {
+  const bool turns = std::all_of(parts_.begin(), parts_.end(),
+                                 [](const Part& p) { return p.row.turns(); });
+  describeContact(d, 0, 1, *law_, {}, turns ? kAllAngular : 0U);
+}
 
 // ---- Gear --------------------------------------------------------------------------------------
 

@@ -349,6 +349,21 @@ TouchingPair PairRules::pair(int i, int j) const {
 }
 
 std::string PairRules::contactName(std::uint64_t id) const {
+  std::string pair;
+  const TouchingPair found = named(id, pair);
+  if (!found) return {};
+  const std::string feature = found.rule->kernel->featureName(*found.A, *found.B, id % features_);
+  return pair + (feature.empty() ? "" : "." + feature);
+}
+
+std::string PairRules::pairName(std::uint64_t id) const {
+  std::string pair;
+  named(id, pair);
+  return pair;
+}
+
+/// The pair of contact `id`, and its name.
+TouchingPair PairRules::named(std::uint64_t id, std::string& name) const {
   const std::uint64_t pairNumber = id / features_, n = shapes_->size();
   if (pairNumber >= n * n) return {};  // number read from a file
   const std::size_t i = pairNumber / n, j = pairNumber % n;
@@ -358,8 +373,8 @@ std::string PairRules::contactName(std::uint64_t id) const {
   std::string a = shapes_->name(i), b = shapes_->name(j);
   const bool swapped = found.A != &shapes_->in(found.rule->plane)[i];
   if (swapped != (found.A->kind != found.B->kind)) std::swap(a, b);
-  const std::string feature = found.rule->kernel->featureName(*found.A, *found.B, id % features_);
-  return a + "-" + b + (feature.empty() ? "" : "." + feature);
+  name = a + "-" + b;
+  return found;
 }
 
 }  // namespace dynamy

@@ -37,6 +37,8 @@ class PairRules {
   }
   /// Name of contact number `id`; empty: there is no such contact.
   std::string contactName(std::uint64_t id) const;
+  /// Name of the pair of contact `id`, without the feature.
+  std::string pairName(std::uint64_t id) const;
   /// How many pairs of shapes can touch.
   std::int64_t count() const { return count_; }
   /// All pairs (i, j), if they are few enough for signals of single contacts.
@@ -45,6 +47,7 @@ class PairRules {
   std::uint64_t features() const { return features_; }
 
  private:
+  TouchingPair named(std::uint64_t id, std::string& name) const;
   friend class RuleSearch;
   /// Index into `rules_` of the shapes i and j, −1: they never touch.
   int of(std::size_t i, std::size_t j) const {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy_elements/contacts/search/shape_signals.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -57,6 +58,37 @@ ContactNumbers numbers(const TouchingPair& pair, std::uint64_t f) {
 
 }  // namespace
 
+/// Adds the signals of two shapes with several contacts: the least gap, and normal forces and percussions
+/// of all contacts between them.
+void describePair(Description& d, std::uint64_t first, std::uint64_t end, const std::string& prefix) {
+  const auto sum = [first, end](const SignalView& v, const ContactSet& c, const ConstVec& Lambda) {
+    double out = 0.0;
+    for (int i = 0; i < c.size() && Lambda.size() == c.rows(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const std::uint64_t id = contactNumber(c.key[at]);
+      if (c.element[at] == v.element && id >= first && id < end) out += Lambda[c.row0[at]];
+    }
+    return out;
+  };
+  d.signal(prefix + "g", Unit::length, "least gap of the two shapes", [=](const SignalView& v) {
+    double least = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < v.contacts->candidateKey.size(); ++i) {
+      const std::uint64_t id = contactNumber(v.contacts->candidateKey[i]);
+      if (v.contacts->candidateElement[i] == v.element && id >= first && id < end)
+        least = std::fmin(least, v.contacts->g[i]);
+    }
+    return least;
+  });
+  d.signal(prefix + "Lambda_N", Unit::impulse, "sum of the normal percussions of the step",
+           [=](const SignalView& v) {
+             return sum(v, v.stepContacts ? *v.stepContacts : *v.contacts,
+                        v.stepContacts ? v.stepLambda : v.Lambda);
+           });
+  d.signal(prefix + "lambda_N", Unit::force, "sum of the normal forces", [=](const SignalView& v) {
+    return v.dt > 0.0 ? sum(v, *v.contacts, v.Lambda) / v.dt : 0.0;
+  });
+}
+
 void describeContacts(Description& d, const ShapeSet& shapes, const PairRules& rules) {
   d.signal("contacts.count", Unit::none, "closed contacts between shapes", [](const SignalView& v) {
     return static_cast<double>(
@@ -79,6 +111,9 @@ void describeContacts(Description& d, const ShapeSet& shapes, const PairRules& r
     const int geometric = pair.rule->plane == 0 ? 3 : 2;
     // Of some pairs all contacts are followed one by one.
     const std::uint64_t named = pair.rule->followed > 0 ? pair.rule->followed : pair.rule->features;
+    const PairKernel& kernel = *pair.rule->kernel;
+    if (pair.rule->features > 1 && !kernel.featureName(*pair.A, *pair.B, 0).empty())
+      describePair(d, pair.id, pair.id + pair.rule->features, rules.pairName(pair.id) + ".");
     if (named > kMostNamedFeatures) continue;  // only their number is a signal
     for (std::uint64_t f = 0; f < named; ++f)
       describeContact(d, numbers(pair, f), geometric, *pair.rule->law,
