@@ -26,7 +26,7 @@ namespace {
 struct SweepTexts {
   std::string what, until, table, out, rows, emit, accept;
   Accepted accepted;
-  std::vector<std::string> set, step, integrator, solver, measures;
+  std::vector<std::string> set, step, tolerance, integrator, solver, measures;
   int samples = 0, jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::uint64_t seed = 1;
   bool keep = false, restart = false, collect = false, quiet = false;
@@ -63,7 +63,8 @@ Sweep asked(const SweepTexts& t) {
   for (const Variation& v : all)
     if (!v.doubt.empty() && !t.quiet) fmt::print(stderr, "dynamy: {}\n", v.doubt);
   for (const auto& [name, list] :
-       {std::pair("--step", &t.step), {"--integrator", &t.integrator}, {"--solver", &t.solver}})
+       {std::pair("--step", &t.step), {"--tolerance", &t.tolerance}, {"--integrator", &t.integrator},
+        {"--solver", &t.solver}})
     if (!list->empty()) all.push_back(readVariation(name, joined(*list), name));
   for (const Variation& v : all)
     if (v.fixed()) choose(s.choice, v.name, v.values[0]);
@@ -236,6 +237,8 @@ void addSweep(CLI::App& app, Program& program) {
                 "default: the model's checks, else the recorded signals at the end")
       ->type_name("TEXT");
   c->add_option("--step", t->step, "step lengths, may vary like a parameter")->type_name("TIMES");
+  c->add_option("--tolerance", t->tolerance, "tolerances of the runs, may vary")
+      ->type_name("NUMBERS");
   c->add_option("--integrator", t->integrator, "schemes, may vary")->type_name("SCHEMES");
   c->add_option("--solver", t->solver, "inclusion solvers, may vary")->type_name("SOLVER");
   c->add_option("--until", t->until, "end time")->type_name("TIME");

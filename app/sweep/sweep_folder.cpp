@@ -16,6 +16,8 @@
 #include <set>
 #include <utility>
 
+#include "numbers.hpp"
+
 namespace dynamy::app {
 namespace fs = std::filesystem;
 namespace {
@@ -34,6 +36,7 @@ std::string factsText(const Sweep& s) {
   j.beginObject().member("format", kFormat).member("version", 1).member("dynamy", versionString());
   j.member("title", s.title).member("model", s.choice.model).member("fingerprint", s.fingerprint);
   j.member("until", s.choice.until).member("step", s.choice.step);
+  j.member("tolerance", s.choice.tolerance);
   j.member("integrator", s.choice.integrator).member("solver", s.choice.solver);
   j.key("set").beginObject();
   for (const auto& [name, value] : s.choice.set) j.member(name, value);
@@ -98,11 +101,19 @@ FileError failed(const fs::path& path, const char* what) {
   return {path.string(), std::string(what) + ": " + std::strerror(errno)};
 }
 
+double tolerance(std::string text) {
+  if (const std::string fault = positiveNumber()(text); !fault.empty())
+    throw CLI::ValidationError("--tolerance", fault);
+  return std::stod(text);
+}
+
 }  // namespace
 
 void choose(RunChoice& choice, const std::string& name, const std::string& value) {
   if (name == "--step")
     choice.step = seconds(value, name);
+  else if (name == "--tolerance")
+    choice.tolerance = tolerance(value);
   else if (name == "--until")
     choice.until = seconds(value, name);
   else if (name == "--integrator")
@@ -167,6 +178,7 @@ Sweep SweepFolder::read() const {
   s.title = f["title"].text, s.fingerprint = f["fingerprint"].text, s.keep = f["keep"].flag;
   s.choice.model = f["model"].text;
   s.choice.until = f["until"].value, s.choice.step = f["step"].value;
+  s.choice.tolerance = f["tolerance"].value;  // 0 in those of earlier programs
   s.choice.integrator = f["integrator"].text, s.choice.solver = f["solver"].text;
   for (std::size_t i = 0; i < f["set"].names.size(); ++i)
     s.choice.set.emplace_back(f["set"].names[i], f["set"].items[i].text);

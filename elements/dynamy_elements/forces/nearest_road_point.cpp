@@ -8,7 +8,7 @@ namespace dynamy {
 namespace {
 
 /// Cosine of the camber below which the wheel lies on its side and has no contact.
-constexpr double kLies = 1e-6;
+constexpr double kOnItsSide = 1e-6;
 /// Places along the wheel at which the road is looked at, on each side of its middle.
 constexpr int kPlaces = 9;
 /// Steps between two of them, and their end, over the radius.
@@ -33,13 +33,13 @@ NearestRoadPoint::NearestRoadPoint(const Vec3& centre, const Vec3& axle, double 
       height_(std::move(height)),
       middle_(centre.head<2>()) {
   const Eigen::Vector2d across(axle.y(), -axle.x());
-  heading_ = across.norm() > kLies ? Eigen::Vector2d(across.normalized()) : Eigen::Vector2d(1.0, 0.0);
+  heading_ = across.norm() > kOnItsSide ? Eigen::Vector2d(across.normalized()) : Eigen::Vector2d(1.0, 0.0);
 }
 
 Vec3 NearestRoadPoint::crown(const Vec3& axle, double circle, const Vec3& n) {
   const double sine = axle.dot(n);
   const double cosine = (axle - sine * n).norm();
-  if (cosine < kLies) return Vec3::Zero();
+  if (cosine < kOnItsSide) return Vec3::Zero();
   return -circle / cosine * (n - sine * axle);
 }
 
@@ -96,7 +96,7 @@ NearestRoadPoint::Point NearestRoadPoint::nearestSample() const {
   for (int k = -kPlaces; k <= kPlaces; ++k) {
     const Point p = residual(along(radius_ * k / (kPlaces - 1))).at;
     const Vec3 way = centre_ - p.r, flat = way - way.dot(axle_) * axle_;
-    const Vec3 rim = centre_ - circle_ / std::max(flat.norm(), kLies * radius_) * flat;
+    const Vec3 rim = centre_ - circle_ / std::max(flat.norm(), kOnItsSide * radius_) * flat;
     const double distance = (rim - p.r).norm();
     if (!(distance < least)) continue;
     least = distance;

@@ -31,7 +31,7 @@ struct Named {
   }
   std::pair<int, int> find(const std::string& name) { return names.find(name, known); }
   Framed ball{"ball"}, tree{"tree"};
-  FrameNames names;
+  FrameNames names{JointList()};
   std::vector<std::string> known;
 };
 
