@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "misuse.hpp"
@@ -39,6 +41,15 @@ constexpr const char* kFooter =
     "Files:\n"
     "  runs/MODEL  what a run writes, if --out does not name another folder";
 
+/// "help run" asks for "run --help", as in other programs; "version" for "--version".
+std::vector<std::string> inOptions(std::vector<std::string> words) {
+  if (words.empty() || (words[0] != "help" && words[0] != "version")) return words;
+  const std::string option = "--" + words[0];
+  words.erase(words.begin());
+  words.push_back(option);
+  return words;
+}
+
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
@@ -46,13 +57,14 @@ int runCommandLine(int argc, char** argv) {
   CLI::App app{"dynamY: simulation of multibody systems with impacts and friction", "dynamy"};
   addCommands(app, program);
   app.footer(kFooter);
+  const std::vector<std::string> words = inOptions(std::vector<std::string>(argv + 1, argv + argc));
   try {
     return withErrorsTold([&] {
-      app.parse(argc, argv);
+      app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // the last one first
       return program.exitCode;
     });
   } catch (const CLI::ParseError& e) {
-    return usage(app, e, std::vector<std::string>(argv + 1, argv + argc));
+    return usage(app, e, words);
   }
 }
 

@@ -53,9 +53,7 @@ std::string commandOfOthers(std::string_view word) {
                                     {"continue", "resume"},
                                     {"restart", "resume"},
                                     {"benchmark", "bench"},
-                                    {"xsd", "schema"},
-                                    {"help", "--help"},
-                                    {"version", "--version"}})
+                                    {"xsd", "schema"}})
     if (word == other) return ours;
   return {};
 }

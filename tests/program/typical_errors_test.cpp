@@ -107,7 +107,7 @@ TEST_F(TypicalErrors, OfCallsNameCauseAndRemedy) {
       {"runn m.xml", 64, "\"runn\"", "\"run\""},
       {"m.xml", 64, "no command \"m.xml\"", "dynamy run m.xml"},
       {"simulate m.xml", 64, "\"simulate\"", "\"run\""},
-      {"help", 64, "\"help\"", "\"--help\""},
+      {"help runn", 64, "\"runn\"", "\"run\""},
       {"run", 64, "needs MODEL", "XML file"},
       {"run m", 2, "m: error: there is no such file", "\"m.xml\""},
       {"run folder", 2, "folder: error: this is a folder", "folder/model.xml"},
@@ -132,6 +132,16 @@ TEST_F(TypicalErrors, OfCallsNameCauseAndRemedy) {
       {"describe hing", 2, "\"hing\"", "<Revolute>"},
       {"check deep.xml", 1, "begins with a penetration of 0.3 m", "move one of the two"},
   });
+}
+
+TEST_F(TypicalErrors, HelpIsAWordOfOtherProgramsThatIsUnderstood) {
+  const auto printed = [&](const std::string& words) {
+    EXPECT_EQ(call(words), 0) << words;
+    return out();
+  };
+  EXPECT_EQ(printed("help"), printed("--help"));
+  EXPECT_EQ(printed("help run"), printed("run --help"));
+  EXPECT_EQ(printed("version"), printed("--version"));
 }
 
 }  // namespace
