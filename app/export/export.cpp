@@ -7,12 +7,14 @@
 
 #include "export/fmu_package.hpp"
 #include "export/vtk_series.hpp"
+#include "paths.hpp"
 #include "program.hpp"
 
 namespace dynamy::app {
 namespace {
 
 void exportFmu(Program& program, const FmuTask& task) {
+  requireOtherFile(task.out, task.model);
   const FmuResult result = fmuPackage(program, task);
   const std::filesystem::path out = task.out.empty() ? result.identifier + ".fmu" : task.out;
   result.zip.write(out);

@@ -92,6 +92,7 @@ int import(const ImportChoice& choice) {
   for (const std::string& folder : choice.options.packages)
     if (!std::filesystem::is_directory(folder))
       throw CLI::ValidationError("--package", folder + ": there is no such folder");
+  requireOtherFile(choice.out, choice.file);
   Machine machine = readMachine(choice.file, choice.options);
   simplify(machine);
   startAt(machine, choice.at);

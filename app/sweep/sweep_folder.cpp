@@ -15,6 +15,7 @@
 #include <dynamy/io/files/output_file.hpp>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "numbers.hpp"
 
@@ -143,7 +144,7 @@ SweepFolder::SweepFolder(const fs::path& path, const Sweep& sweep) : path_(path)
     const std::string before = readWholeFile(this->facts());
     const bool begun = fs::exists(this->manifest(), error);
     std::string what;
-    if (before != facts)
+    if (begun && before != facts)
       what = difference(before, facts);
     else if (begun && readWholeFile(this->manifest()) != manifest)
       what = "other values are asked for";
@@ -193,12 +194,25 @@ Sweep SweepFolder::read() const {
 
 void SweepFolder::clear(const fs::path& path) {
   if (!isSweep(path)) return;
-  for (const char* name : {"manifest.csv", "results.csv", "sweep.html", "results", "runs",
-                           "parallel.sh", "slurm.sh", "sweep.json"}) {
+  const auto remove = [](const fs::path& old) {
     std::error_code error;
-    fs::remove_all(path / name, error);
-    if (error) throw FileError((path / name).string(), "cannot remove: " + error.message());
+    fs::remove_all(old, error);
+    if (error) throw FileError(old.string(), "cannot remove: " + error.message());
+  };
+  // Runs and their results are numbered; what has another name there is not of the sweep.
+  for (const char* name : {"results", "runs"}) {
+    std::error_code error;
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(path / name, error))
+      if (const std::string stem = entry.path().stem().string();
+          stem.find_first_not_of("0123456789") == std::string::npos)
+        old.push_back(entry.path());
+    for (const fs::path& entry : old) remove(entry);
+    fs::remove(path / name, error);  // if it is empty
   }
+  // sweep.json stays: without a manifest it says that a sweep may begin in this folder.
+  for (const char* name : {"manifest.csv", "results.csv", "sweep.html", "parallel.sh", "slurm.sh"})
+    remove(path / name);
 }
 
 fs::path SweepFolder::result(std::size_t id) const {

@@ -69,17 +69,14 @@ Browser::Browser(int width, int height) {
         "chromium",
         "a film needs Chromium or Chrome, and neither is in PATH; on Debian: sudo apt-get "
         "install chromium. scripts/animate draws a film without a browser");
-  std::string folder = (fs::temp_directory_path() / "dynamy_browser_XXXXXX").string();
   std::array<int, 2> ends{};
-  if (::mkdtemp(folder.data()) == nullptr) throw WriteError(folder, "cannot create the folder");
-  profile_ = folder;
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw FileError(program, "no pipe to the browser");
   std::vector<std::string> words{
       program,
       "--headless=new",
       "--remote-debugging-pipe",
-      "--user-data-dir=" + folder,
+      "--user-data-dir=" + profile_.path().string(),
       fmt::format("--window-size={},{}", width, height),
       "--force-device-scale-factor=1",
       "--hide-scrollbars",
@@ -101,8 +98,6 @@ Browser::~Browser() {
     ::kill(-process_, SIGTERM);  // a group of its own: its helpers end, too
     ::waitpid(process_, nullptr, 0);
   }
-  std::error_code ignored;
-  fs::remove_all(profile_, ignored);
 }
 
 void Browser::send(const std::string& message) const {

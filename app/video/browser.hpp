@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <string>
 
+#include "video/temporary_folder.hpp"
+
 namespace dynamy::app {
 
 class Browser {
@@ -33,7 +35,8 @@ class Browser {
   void send(const std::string& message) const;
   std::string receive();
 
-  std::filesystem::path profile_, page_;
+  TemporaryFolder profile_{"dynamy_browser"};
+  std::filesystem::path page_;
   std::string session_, unread_;
   pid_t process_ = -1;
   int pipe_ = -1, calls_ = 0;

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/io/files/file_error.hpp>
 #include <dynamy/io/files/output_file.hpp>
 #include <map>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -16,6 +19,7 @@
 #include "run/progress.hpp"
 #include "shell_text.hpp"
 #include "video/browser.hpp"
+#include "video/temporary_folder.hpp"
 
 namespace dynamy::app {
 namespace fs = std::filesystem;
@@ -118,34 +122,58 @@ std::string coded(Browser& browser, const std::string& kind, Making& making) {
   }
 }
 
-/// The pictures as PNG files in a folder.
+std::string pictureName(int number) { return fmt::format("{:05d}.png", number); }
+
+/// The pictures as PNG files in a folder that is there.
 void writePictures(Browser& browser, int count, const fs::path& folder, Making& making) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw WriteError(folder.string(), "cannot create the folder: " + error.message());
   for (int i = 0; i < count; ++i) {
-    writeWholeFile(folder / fmt::format("{:05d}.png", i + 1),
+    writeWholeFile(folder / pictureName(i + 1),
                    fromBase64(browser.evaluate(fmt::format("window.replay.studio.take({})", i))));
     making.tell((i + 1.0) / count);
   }
 }
 
-/// Lets ffmpeg make an MP4 of pictures. If it is not there, the pictures remain.
+/// Lets ffmpeg make an MP4 of pictures in a temporary folder.
 void writeMp4(Browser& browser, int count, const VideoChoice& choice, Making& making) {
-  const fs::path file = choice.file, pictures = fs::path(file).replace_extension();
-  writePictures(browser, count, pictures, making);
+  const TemporaryFolder pictures("dynamy_pictures");
+  writePictures(browser, count, pictures.path(), making);
   const std::string command = fmt::format(
-      "ffmpeg -y -loglevel error -framerate {} -i {} -c:v libx264 -pix_fmt yuv420p -crf 20 {}",
-      choice.fps, shellQuoted((pictures / "%05d.png").string()), shellQuoted(file.string()));
-  if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
-    throw FileError(file.string(),
-                    "an MP4 needs ffmpeg (on Debian: sudo apt-get install ffmpeg); " +
-                        std::to_string(count) + " pictures are in " + pictures.string() +
-                        ". A .webm or .gif needs nothing");
+      "ffmpeg -y -nostdin -loglevel error -framerate {} -i {} -c:v libx264 -pix_fmt yuv420p "
+      "-crf 20 {}",
+      choice.fps, shellQuoted((pictures.path() / "%05d.png").string()),
+      shellQuoted(fs::absolute(choice.file).string()));
   if (std::system(command.c_str()) != 0)
-    throw FileError(file.string(), "ffmpeg failed; the pictures are in " + pictures.string());
-  std::error_code ignored;
-  fs::remove_all(pictures, ignored);
+    throw FileError(choice.file, "ffmpeg failed; a .webm or .gif is made without it");
+}
+
+/// Makes the folder of the film, or of its pictures. Throws if the film cannot get there: now, and
+/// not after minutes.
+void prepare(const VideoChoice& choice) {
+  const bool pictures = endingOf(choice).empty();
+  const fs::path file = choice.file, folder = pictures ? file : file.parent_path();
+  std::error_code error;
+  if (!pictures && fs::is_directory(file, error))
+    throw FileError(file.string(), "is a folder, the film is to be a file; nothing was touched");
+  if (pictures && fs::exists(file / pictureName(1), error))
+    throw FileError(file.string(), "holds pictures already, " + pictureName(1) +
+                                       " and maybe more; nothing was touched: remove them or "
+                                       "name another folder");
+  if (endingOf(choice) == ".mp4" && std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
+    throw FileError(file.string(),
+                    "an MP4 needs ffmpeg (on Debian: sudo apt-get install ffmpeg); a .webm or "
+                    ".gif needs nothing");
+  error.clear();  // of files that are not there
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (error) throw WriteError(folder.string(), "cannot create the folder: " + error.message());
+}
+
+/// Throws unless the text is a number, of an angle or a time.
+void checkNumber(const std::string& name, const std::string& value) {
+  char* end = nullptr;
+  const double x = std::strtod(value.c_str(), &end);
+  if (value.empty() || *end != '\0' || !std::isfinite(x) || (name == "arrows" && x <= 0))
+    throw CLI::ValidationError("--look", name + " is a " + (name == "arrows" ? "positive " : "") +
+                                             "number, not \"" + value + '"');
 }
 
 /// The parts of the address that the page reads, and what some of them may be.
@@ -156,6 +184,9 @@ void checkLook(const std::string& look) {
       {"azimuth", {}},
       {"elevation", {}},
       {"contacts", {"0", "1"}},
+      {"arrows", {}},
+      {"names", {}},
+      {"hide", {}},
       {"trails", {"0", "1"}},
       {"open", {}},
       {"select", {}},
@@ -178,8 +209,21 @@ void checkLook(const std::string& look) {
       throw CLI::ValidationError("--look", name + " is one of " +
                                                fmt::format("{}", fmt::join(values, ", ")) +
                                                ", not \"" + value + '"');
+    for (const char* number : {"azimuth", "elevation", "t", "arrows"})
+      if (name == number) checkNumber(name, value);
     at = end + 1;
   }
+}
+
+/// Throws CLI::ValidationError if `look` names a body that the run has not.
+void checkBodies(Browser& browser) {
+  const std::string unknown = browser.evaluate("window.replay.tools.unknown[0] ?? ''");
+  if (unknown.empty()) return;
+  std::istringstream names(browser.evaluate("window.replay.tools.names.join('\\n')"));
+  std::vector<std::string> known;
+  for (std::string name; std::getline(names, name);) known.push_back(name);
+  throw CLI::ValidationError(
+      "--look", "no body \"" + unknown + "\" in this run — " + unknownNameHint(unknown, known));
 }
 
 }  // namespace
@@ -196,14 +240,10 @@ void checkVideo(const VideoChoice& choice) {
 
 void writeVideo(const fs::path& replay, const VideoChoice& choice) {
   const std::string ending = endingOf(choice);
-  // Now, and not after minutes.
-  if (const fs::path folder = fs::path(choice.file).parent_path(); !folder.empty()) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw WriteError(folder.string(), "cannot create the folder: " + error.message());
-  }
+  prepare(choice);
   Browser browser(choice.width, choice.height);
   openReplay(browser, replay, choice.look);
+  checkBodies(browser);
   const int count = begin(browser, choice);
   Making making;
   if (ending == ".gif" || ending == ".webm")

@@ -320,7 +320,10 @@ TEST_F(Sweep, DoesNotMixTwoSweeps) {
   EXPECT_NE(err().find("the model has changed since it began"), std::string::npos) << err();
   EXPECT_EQ(call("sweep s"), 2);
   EXPECT_NE(err().find("has changed since the sweep began"), std::string::npos) << err();
+  fs::create_directories(path("s/runs/mine"));
+  write("s/runs/mine/note.txt", "keep");
   EXPECT_EQ(call("sweep fall.xml --set h=1,2 --out s --restart"), 0) << err();
+  EXPECT_EQ(readWholeFile(path("s/runs/mine/note.txt")), "keep");  // of nobody's run
 }
 
 TEST_F(Sweep, TheValuesOfARangeAreTold) {
