@@ -70,7 +70,33 @@ std::vector<float> numbersOf(const std::vector<Eigen::Vector3d>& points) {
   return out;
 }
 
-std::string bodies(const SceneMesh& mesh, const Frames& frames, std::size_t f) {
+/// The mesh without the cells of bodies that take no part in frame f, whose quaternions are 0.
+SceneMesh present(SceneMesh mesh, const Frames& frames, std::size_t f) {
+  std::vector<bool> absent(frames.poses);
+  for (std::size_t i = 0; i < frames.poses; ++i) {
+    const float* pose = frames.pose.data() + (f * frames.poses + i) * Frames::kPoseNumbers;
+    absent[i] = std::all_of(pose + 3, pose + 7, [](float x) { return x == 0.0F; });
+  }
+  if (std::find(absent.begin(), absent.end(), true) == absent.end()) return mesh;
+  const auto keep = [&](std::vector<SceneMesh::Cell>& cells, std::vector<SceneMesh::Part>& parts) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const bool gone = std::any_of(cells[i].begin(), cells[i].end(), [&](std::int32_t point) {
+        const int frame = mesh.frame[static_cast<std::size_t>(point)];
+        return frame >= 0 && absent[static_cast<std::size_t>(frame)];
+      });
+      if (gone) continue;
+      if (kept != i) cells[kept] = std::move(cells[i]), parts[kept] = parts[i];
+      ++kept;
+    }
+    cells.resize(kept), parts.resize(kept);
+  };
+  keep(mesh.lines, mesh.lineParts), keep(mesh.polygons, mesh.polygonParts);
+  return mesh;
+}
+
+std::string bodies(const SceneMesh& all, const Frames& frames, std::size_t f) {
+  const SceneMesh mesh = present(all, frames, f);
   Polydata out(mesh.points.size(), 0, mesh.lines.size(), mesh.polygons.size(), frames.t[f]);
   std::vector<std::int32_t> shape, frame;
   std::vector<std::uint8_t> colour;

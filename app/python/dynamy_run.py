@@ -185,7 +185,8 @@ class Frames:
 
     t         n times [s]
     names     of the P frames
-    pose      n x P x 7: x y z of r_OS_I [m], unit quaternion w x y z of A_IK
+    pose      n x P x 7: x y z of r_OS_I [m], unit quaternion w x y z of A_IK;
+              0 0 0 0: the body is absent
     contacts  n arrays C x 11: point [m], normal, force [N], state (index into STATES), limit [N]
     step      n steps [s] of these forces: force times step is the percussion of an impact [N s];
               0: unknown

@@ -45,5 +45,20 @@ TEST_F(VtkExport, WritesBodiesWhereTheyAreAndTheForcesOfContacts) {
   EXPECT_NEAR(force[2] + force[5] + force[8] + force[11], 20.0F, 1e-4F);
 }
 
+TEST_F(VtkExport, LeavesOutGrainsThatWereTakenAway) {
+  write("taken.xml", R"(<dynamy version="1">
+  <systems><Grains name="g" count="4" within="0 0 1 2 2 1.4" pitch="0.5" takeWithin="-9 -9 -9 9 9 0.5">
+    <Sphere radius="0.1" density="1000"/></Grains></systems>
+  <forces><Gravity acceleration="0 0 -9.81"/></forces>
+  <simulation until="0.6" step="1e-2"/><record frames="10Hz"/></dynamy>)");
+  ASSERT_EQ(call("run taken.xml --quiet --out r"), 0) << err();
+  ASSERT_EQ(call("export vtk r --sides 4"), 0) << err();
+  const auto cells = [&](const std::string& file) {
+    return arrayOf<std::int32_t>(path(file), "shape");
+  };
+  EXPECT_GT(cells("r/vtk/bodies_00000.vtp").size(), 0u);
+  EXPECT_EQ(cells("r/vtk/bodies_00006.vtp").size(), 0u);  // all below 0.5 m after 0.43 s
+}
+
 }  // namespace
 }  // namespace dynamy

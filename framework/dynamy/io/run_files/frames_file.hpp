@@ -32,8 +32,9 @@ inline constexpr std::uint32_t kFramesVersion = 3;
 
 /// Pose of a frame K of the scene.
 struct Pose {
-  Eigen::Vector3d r_OS_I = Eigen::Vector3d::Zero();          ///< [m]
-  Eigen::Quaterniond p_IK = Eigen::Quaterniond::Identity();  ///< A_IK as a unit quaternion
+  Eigen::Vector3d r_OS_I = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Quaterniond p_IK =
+      Eigen::Quaterniond::Identity();  ///< A_IK as a unit quaternion; 0: absent
 };
 
 enum class ContactState { open = 0, stick = 1, slip = 2, impact = 3, spin = 4 };

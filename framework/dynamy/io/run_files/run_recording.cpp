@@ -86,7 +86,8 @@ void RunRecording::row(double t, std::span<const double> values) {
 void RunRecording::frame(FilmInstant at, std::span<const FramePose> poses,
                          std::span<const ContactRecord> contacts) {
   for (std::size_t i = 0; i < poses.size(); ++i)
-    pose_[i] = {poses[i].r_OS_I, Eigen::Quaterniond(poses[i].A_IK)};
+    pose_[i] = {poses[i].r_OS_I, poses[i].absent ? Eigen::Quaterniond(0.0, 0.0, 0.0, 0.0)
+                                                 : Eigen::Quaterniond(poses[i].A_IK)};
   marks_.clear();
   for (const ContactRecord& c : contacts)
     marks_.push_back({c.point, c.normal, c.force, drawnState(c), c.limit});

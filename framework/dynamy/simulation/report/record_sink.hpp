@@ -12,6 +12,7 @@ namespace dynamy {
 struct FramePose {
   Vec3 r_OS_I = Vec3::Zero();  ///< [m]
   Mat3 A_IK = Mat3::Identity();
+  bool absent = false;  ///< the body takes no part at present: it is not drawn
 };
 
 /// The instant of a picture.

@@ -123,7 +123,7 @@ void Recorder::frame(const StepView& view, double t, double theta) {
                        dynamy::view(std::as_const(at_.u)));
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     const Frame& f = kinematics_.frame({static_cast<int>(i)});
-    poses_[i] = {f.r_OS_I, f.A_IK};
+    poses_[i] = {f.r_OS_I, f.A_IK, f.absent};
   }
   contacts(view, theta >= 1.0);
   lastFrame_ = t;
