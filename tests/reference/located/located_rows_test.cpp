@@ -79,5 +79,74 @@ TEST(LocatedRows, OfStepsInTimeAreNoDeeperThanTold) {
   EXPECT_GE(many.report().gaps.penetration.value, rows.depth - 1e-15);
 }
 
+/// Rows of the energy ledger.
+class Ledger final : public RecordSink {
+ public:
+  void row(double, std::span<const double>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void ledger(const LedgerRow& row) override { rows.push_back(row); }
+  bool wantsLedger() const override { return true; }
+  std::vector<LedgerRow> rows;
+};
+
+/// A ball that falls 1 m onto a floor at t = √0.2 s, ε = 1/2, or slides on it from 2 m/s with μ = 1/2.
+constexpr const char* kBall = R"(<dynamy version="1">
+  <systems><RigidBody name="ball" position="0 0 {z}" velocity="{v} 0 0"><Box size="0.2 0.2 0.2" mass="1" material="a"/></RigidBody>
+    <Ground name="world"><HalfSpace name="floor" normal="0 0 1" material="b"/></Ground></systems>
+  <forces><Gravity acceleration="0 0 -10"/></forces>
+  <elements><Contact between="a b"><UnilateralCoulomb epsilonN="0.5" mu="0.5"/></Contact></elements>
+  <simulation until="0.6" tolerance="1e-6" coordinates="absolute"/></dynamy>)";
+
+std::string ball(const std::string& z, const std::string& v) {
+  std::string text = kBall;
+  text.replace(text.find("{z}"), 3, z);
+  return text.replace(text.find("{v}"), 3, v);
+}
+
+std::vector<LedgerRow> ledgerOf(const std::string& text) {
+  LocatedRun run(text, 1e-6, 0.6);
+  Ledger ledger;
+  run.simulation().record(ledger);
+  EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  return ledger.rows;
+}
+
+void expectSums(const std::vector<LedgerRow>& rows) {
+  const auto sum = [](const LedgerRow& r) {  // T + V less works
+    double out = r.value[0] + r.value[1];
+    for (std::size_t k = 2; k < 8; ++k) out -= r.value[k];
+    return out;
+  };
+  for (const LedgerRow& r : rows) EXPECT_NEAR(sum(r), sum(rows.front()), 1e-12) << r.t;
+}
+
+TEST(LedgerRows, OfALocatedImpactStandOnBothSidesOfIt) {
+  const std::vector<LedgerRow> rows = ledgerOf(ball("1.1", "0"));
+  EXPECT_GT(rows.size(), 400u);
+  expectSums(rows);
+  const auto at = std::adjacent_find(rows.begin(), rows.end(),
+                                     [](const auto& a, const auto& b) { return a.t == b.t; });
+  ASSERT_NE(at, rows.end());
+  EXPECT_NEAR(at->t, std::sqrt(0.2), 1e-6);  // the tolerance
+  // ½ m v² = m g h = 10 J before the impact and ε² of that after it, to the tolerance of 1e-6 of v.
+  EXPECT_NEAR(at->value[0], 10.0, 1e-4);
+  EXPECT_NEAR((at + 1)->value[0], 2.5, 1e-4);
+  EXPECT_NEAR(at->value[4], 0.0, 1e-9);
+  EXPECT_NEAR((at + 1)->value[4], -7.5, 1e-4);
+  // Between: T = ½ m (g t)² in free fall.
+  for (auto r = rows.begin(); r != at; ++r) EXPECT_NEAR(r->value[0], 50.0 * r->t * r->t, 1e-4);
+}
+
+TEST(LedgerRows, WithinALocatedStepHaveTheWorkOfFriction) {
+  const std::vector<LedgerRow> rows = ledgerOf(ball("0.1", "2"));
+  EXPECT_GE(rows.size(), 400u);
+  expectSums(rows);
+  // It slides with 5 m/s² for 0.4 s: the work of friction is ½ v² − ½ v0², at every instant.
+  for (const LedgerRow& r : rows) {
+    const double v = std::max(0.0, 2.0 - 5.0 * r.t);
+    EXPECT_NEAR(r.value[3], 0.5 * v * v - 2.0, 1e-4) << r.t;
+  }
+}
+
 }  // namespace
 }  // namespace dynamy::reference
