@@ -1,13 +1,19 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/io/run_files/model_scene.hpp>
 #include <dynamy/simulation/report/recorder.hpp>
+#include <dynamy/system/smooth_shape.hpp>
 #include <map>
 
 namespace dynamy {
 namespace {
 
 constexpr double kThinRing = 0.015;  ///< least thickness of a drawn torus, of its radius
+/// Sides of the outline of a smooth shape, and of each one of a heap: a mesh has 100 kB.
+constexpr int kSmoothSides = 64, kCoarseSides = 24;
+constexpr std::ptrdiff_t kHeap = 50;
 
 std::array<double, 3> array(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
@@ -98,6 +104,29 @@ SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
   return s;
 }
 
+/// The points x(d) of a smooth shape for directions d on circles about its z axis, with triangles.
+SceneShape smoothMesh(const SmoothShape& shape, int sides) {
+  SceneShape s;
+  s.kind = ShapeKind::mesh, s.colour = shape.colour();
+  const int rings = sides / 2;
+  for (int i = 0; i <= rings; ++i)
+    for (int j = 0; j < (i % rings == 0 ? 1 : sides); ++j) {
+      const double polar = kPi * i / rings, around = kTwoPi * j / sides;
+      s.points.push_back(array(shape.point({std::sin(polar) * std::cos(around),
+                                            std::sin(polar) * std::sin(around), std::cos(polar)})));
+    }
+  const auto at = [&](int i, int j) {  // of ring i; the first and the last one are a point
+    if (i == 0) return 0;
+    return i == rings ? 1 + (rings - 1) * sides : 1 + (i - 1) * sides + j % sides;
+  };
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < sides; ++j) {
+      if (i + 1 < rings) s.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      if (i > 0) s.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return s;
+}
+
 void addLinks(const Model& model, const std::vector<DrawnFrame>& drawn, Scene& scene) {
   std::map<std::pair<int, int>, int> index;
   for (std::size_t k = 0; k < drawn.size(); ++k)
@@ -128,6 +157,13 @@ Scene modelScene(const Model& model) {
   for (std::size_t i = 0; i < model.systems().size(); ++i)
     for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes)
       placed.emplace(std::pair(static_cast<int>(i), p.frame), &p);
+  // Others have a geometry of their own: an ellipsoid.
+  const auto isMesh = [](const PlacedShape& p) {
+    return p.shape->smooth() != nullptr && p.shape->geometry().type == ShapeType::polyhedron;
+  };
+  const auto meshes = std::count_if(placed.begin(), placed.end(),
+                                    [&](const auto& entry) { return isMesh(*entry.second); });
+  const int sides = meshes < kHeap ? kSmoothSides : kCoarseSides;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     scene.frames.push_back(frameOf(model, frames[k]));
     const std::string& name = scene.frames.back().name;
@@ -138,7 +174,8 @@ Scene modelScene(const Model& model) {
     for (auto at = range.first; at != range.second; ++at) {
       const PlacedShape& p = *at->second;
       Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-      SceneShape s = geometryOf(p.shape->geometry(), turn);
+      SceneShape s =
+          isMesh(p) ? smoothMesh(*p.shape->smooth(), sides) : geometryOf(p.shape->geometry(), turn);
       const Eigen::Quaterniond A = Eigen::Quaterniond(p.shape->A_KB()) * turn;
       s.name = p.shape->name();
       s.frame = static_cast<int>(k);
