@@ -193,7 +193,7 @@ std::string energyHtml(const JsonValue& e) {
   add("energy at the start, T + V", e["start"]);
   add("drives and dampers", e["nonPotential"], false);
   add("friction", e["friction"], false);
-  add("impacts and normal forces", e["normal"], false);
+  add("normal forces", e["normal"], false);
   add("joints", e["joints"], false);
   add("moving boundaries", e["boundaries"], false);
   add("discretisation", e["discretisation"]);

@@ -165,7 +165,7 @@ SignalTable energyTable(const SignalTable& ledger) {
   for (const char* name :
        {"nonPotential", "friction", "normal", "joints", "boundaries", "discretisation"})
     if (const auto* work = column(ledger, name); work != nullptr && !isZero(*work))
-      add("work." + std::string(name == std::string("normal") ? "impacts" : name), *work);
+      add("work." + std::string(name == std::string("normal") ? "normal forces" : name), *work);
   return out;
 }
 

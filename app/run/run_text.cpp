@@ -271,8 +271,8 @@ std::string resultText(const Model& model, const RunReport& r,
                                 counted(r.contacts.impacts, "impact"), r.cost.wall);
   if (r.cost.wall > 0.0) out += fmt::format(" (x{:.3g})", r.t / r.cost.wall);
   const EnergyReport& e = r.energy;
-  out += fmt::format("\n energy  {:.6g} -> {:.6g} J   impacts {:.4g}   friction {:.4g}", e.start(),
-                     e.end(), e.normal, e.friction);
+  out += fmt::format("\n energy  {:.6g} -> {:.6g} J   normal forces {:.4g}   friction {:.4g}",
+                     e.start(), e.end(), e.normal, e.friction);
   if (e.nonPotential != 0.0) out += fmt::format("   drives and dampers {:.4g}", e.nonPotential);
   if (e.joints != 0.0) out += fmt::format("   joints {:.2g}", e.joints);
   if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
