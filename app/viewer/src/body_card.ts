@@ -9,6 +9,7 @@ const kMostSignals = 8;
 
 /** Names with values and units of a frame at t. */
 function stateOf(film: Film, frame: number, t: number): [string, number, string][] {
+  if (film.absent(frame, t)) return [];
   const pose = film.pose(frame, t), {v, omega} = film.rates(frame, t);
   const angle = 2 * Math.acos(clamp(Math.abs(pose.q[0]), 0, 1)) * 180 / Math.PI;
   return [["x", pose.r[0], " m"], ["y", pose.r[1], " m"], ["z", pose.r[2], " m"], ["speed", norm(v), " m/s"],
@@ -24,6 +25,7 @@ export function fillCard(table: HTMLTableElement, scene: Scene, film: Film, sign
   const theirs = other && twin >= 0 ? stateOf(other.film, twin, t) : [];
   const rows = stateOf(film, frame, t).map(([label, value, unit], i): string[] =>
     [label, `${shortNumber(value)}${unit}`, ...(theirs[i] ? [`${shortNumber(theirs[i][1])}${unit}`] : [])]);
+  if (film.absent(frame, t)) rows.push(["", "absent"]);
   const own = signals.filter(s => s.name.startsWith(owner) && !/\.[xyz]$/.test(s.name));
   for (const s of own.slice(0, kMostSignals)) {
     const same = twin >= 0 ? other?.signals.find(o => o.name === s.name) : undefined;

@@ -11,6 +11,8 @@ export class BodyTools {
   other: OtherRun | null = null;
   private readonly hidden = new Set<number>();
   private named = new Set<number>();
+  onNames: (any: boolean) => void = () => undefined;
+  unknown: string[] = [];  // names in the address that no body has
   private readonly said = element("p", "", "measured");
   private readonly file = element("input");
   private readonly all = element("button", "show all");
@@ -47,6 +49,29 @@ export class BodyTools {
     return row;
   }
 
+  get names(): string[] { return this.scene.frames.map(f => f.name); }
+  get labelled(): string[] { return this.namesOf(this.named); }
+  get unseen(): string[] { return this.namesOf(this.hidden); }
+  private namesOf(frames: Set<number>): string[] { return [...frames].map(i => this.scene.frames[i].name); }
+
+  /** The bodies that a list of the address names, "lid,box"; what is no name of a body goes to `unknown`. */
+  private framesIn(list: string): number[] {
+    const names = list.split(",").map(x => x.trim()).filter(x => x), found = names.map(name => this.names.indexOf(name));
+    this.unknown.push(...names.filter((_, i) => found[i] < 0));
+    return found.filter(i => i >= 0);
+  }
+
+  /** `names`: "1" all, "0" none, or names of bodies; `hide`: bodies that are not shown. null: as it is. */
+  choose(names: string | null, hide: string | null): void {
+    this.unknown = [];
+    if (names !== null) this.named = new Set(names === "1" ? this.nameable() : names === "0" ? [] : this.framesIn(names));
+    if (hide !== null) {
+      this.hidden.clear();
+      this.framesIn(hide).forEach(i => this.hidden.add(i));
+    }
+    if (names !== null || hide !== null) this.apply();
+  }
+
   hide(frame: number): void {
     if (frame < 0) return;
     this.hidden.add(frame);
@@ -72,17 +97,20 @@ export class BodyTools {
   }
 
   /** The names of all bodies, or of none. Of many only the first hundred: more cannot be read. */
-  nameAll(): boolean {
-    this.named = new Set(this.named.size ? [] : 
-      this.scene.frames.map((_, i) => i).filter(i => this.stage.model.bodies.some(s => s.frame === i)).slice(0, 100));
+  nameAll(): void {
+    this.named = new Set(this.named.size ? [] : this.nameable());
     this.apply();
-    return this.named.size > 0;
+  }
+
+  private nameable(): number[] {
+    return this.scene.frames.map((_, i) => i).filter(i => this.stage.model.bodies.some(s => s.frame === i)).slice(0, 100);
   }
 
   private apply(): void {
     this.stage.hide(new Set(this.hidden));
     this.stage.overlay.labels = [...this.named].filter(i => !this.hidden.has(i)).map(frame => ({frame, text: this.scene.frames[frame].name}));
     this.all.hidden = !this.hidden.size;
+    this.onNames(this.named.size > 0);
     this.redraw();
   }
 

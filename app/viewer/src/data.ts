@@ -25,6 +25,7 @@ export interface Signal { name: string; unit: string; t: Float64Array; y: Float3
 export interface Event {
   t: number; impact: boolean; system: string; contact: string; from: string; to: string; speed: number; impulse: number;
   brief?: boolean;  // a switch that is taken back within a step
+  run?: string; other?: boolean;  // where two runs are shown: the name of its run, and whether that is the second
 }
 
 /** The bytes behind a base64 text of zlib data. The browser's own inflater is faster by far. */
@@ -78,6 +79,7 @@ export class RecordedFilm extends Film {
   readonly varying: Int32Array;  // coordinate 7 i + k → its column, or −1
   readonly now: Float32Array;    // poses at the time of sample()
   private readonly step: Float32Array;
+  private readonly coming = new Set<number>();  // bodies that are absent in some frame
   private readonly firstContact: Uint32Array;
 
   private constructor(
@@ -95,6 +97,7 @@ export class RecordedFilm extends Film {
       this.varying[k] = this.columns++;
       this.step[k] = (hi[k] - lo[k]) / (k % 7 < 3 ? coding.placeSteps : coding.turnSteps);
     }
+    for (let i = 0; i < poses; ++i) if (this.count && this.isAbsentAnywhere(i)) this.coming.add(i);
     this.firstContact = new Uint32Array(counts.length + 1);
     for (let f = 0; f < counts.length; ++f) this.firstContact[f + 1] = this.firstContact[f] + counts[f];
   }
@@ -120,6 +123,27 @@ export class RecordedFilm extends Film {
     return [f * this.columns, next * this.columns, share];
   }
 
+  protected comes(i: number): boolean { return this.coming.has(i); }
+
+  /** The quaternion of an absent body is 0; the steps of the coding leave less than a tenth of it. */
+  private isAbsent(i: number, row: number): boolean {
+    let size = 0;
+    for (let k = 7 * i + 3; k < 7 * i + 7; ++k) {
+      const v = this.varying[k];
+      size += (v < 0 ? this.lo[k] : this.lo[k] + this.step[k] * this.course[row + v]) ** 2;
+    }
+    return size < 0.25;
+  }
+
+  private isAbsentAnywhere(i: number): boolean {
+    for (let k = 7 * i + 3; k < 7 * i + 7; ++k) {  // 0 lies in the range of each component, or it is never absent
+      const hair = this.step[k], hi = this.lo[k] + 65536 * this.step[k];
+      if (this.lo[k] > hair || hi < -hair) return false;
+    }
+    for (let f = 0; f < this.count; ++f) if (this.isAbsent(i, f * this.columns)) return true;
+    return false;
+  }
+
   /** Fills `now` with all poses at t, straight between frames. */
   sample(t: number): Float32Array {
     if (!this.count) return this.now;
@@ -127,6 +151,10 @@ export class RecordedFilm extends Film {
     for (let k = 0; k < now.length; ++k) {
       const v = varying[k];
       now[k] = v < 0 ? lo[k] : lo[k] + step[k] * (course[a + v] + (course[b + v] - course[a + v]) * share);
+    }
+    for (const i of this.coming) {
+      const {r, q} = this.pose(i, t);
+      now.set([...r, ...q], 7 * i);
     }
     for (let k = 3; k < now.length; k += 7) {
       const size = Math.sqrt(now[k] ** 2 + now[k + 1] ** 2 + now[k + 2] ** 2 + now[k + 3] ** 2) || 1;
@@ -138,7 +166,12 @@ export class RecordedFilm extends Film {
   /** Pose i at time t; the inertial frame is −1. */
   pose(i: number, t: number): Pose {
     if (i < 0 || !this.count) return {r: [0, 0, 0], q: [1, 0, 0, 0]};
-    const [a, b, share] = this.place(t);
+    const place = this.place(t), [a, b] = place;
+    let share = place[2];
+    if (this.coming.has(i)) {  // from and to a place where it is not nothing moves
+      if (this.isAbsent(i, a)) return {r: [0, 0, 0], q: [0, 0, 0, 0]};
+      if (this.isAbsent(i, b)) share = 0;
+    }
     const at = (k: number): number => {
       const v = this.varying[7 * i + k], lo = this.lo[7 * i + k];
       if (v < 0) return lo;

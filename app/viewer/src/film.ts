@@ -27,6 +27,10 @@ export abstract class Film {
   /** Pose i at time t; the inertial frame is −1. */
   abstract pose(i: number, t: number): Pose;
   abstract moves(i: number): boolean;
+  /** Whether body i takes no part at t (grains that were taken away): the quaternion of its pose is 0. */
+  absent(i: number, t: number): boolean { return i >= 0 && this.comes(i) && this.pose(i, t).q.every(x => x === 0); }
+  /** Whether body i may be absent at some time. */
+  protected abstract comes(i: number): boolean;
   /** Whether coordinate k of pose i stands, at `value` if one is given. */
   abstract stands(i: number, k: number, value?: number): boolean;
   /** Contacts of the last frame at or before t. */
@@ -47,6 +51,7 @@ export abstract class Film {
     const dt = this.t[g] - this.t[f];
     if (!(dt > 0)) return {v: [0, 0, 0], omega: [0, 0, 0]};
     const A = this.pose(i, this.t[f]), B = this.pose(i, this.t[g]);
+    if (!A.q.some(x => x) || !B.q.some(x => x)) return {v: [0, 0, 0], omega: [0, 0, 0]};
     const [w, x, y, z] = A.q, p = B.q;
     // p ∘ q*: the turn from one frame to the next
     const d = [p[0] * w + p[1] * x + p[2] * y + p[3] * z, p[1] * w - p[0] * x - p[2] * z + p[3] * y,

@@ -34,7 +34,10 @@ export class FilmFile {
     const t = Math.min(choice.from + i / (choice.slower * choice.fps), replay.end);
     ctx.fillStyle = theme.paper;
     ctx.fillRect(0, 0, width, height);
-    ctx.drawImage(replay.comparison.picture(t), 0, 0, width, height);
+    // equal scales along both sides, whatever the sizes are: the rest stays paper
+    const seen = replay.comparison.picture(t), scale = Math.min(width / seen.width, height / seen.height);
+    const [w, h] = [seen.width * scale, seen.height * scale];
+    ctx.drawImage(seen, (width - w) / 2, (height - h) / 2, w, h);
     this.caption(t);
     return picture;
   }
@@ -48,8 +51,11 @@ export class FilmFile {
     ctx.textAlign = "left";
     ctx.fillStyle = theme.soft;
     ctx.fillText(`${t.toFixed(digits)} s`, size, size);
-    const {names} = replay.comparison;
-    names.forEach((name, i) => ctx.fillText(name, size + i * picture.width / names.length, picture.height - 2 * size));
+    const {names, stacked} = replay.comparison;
+    names.forEach((name, i) => {
+      const share = (i + 1) / names.length;  // of the film that ends with this picture
+      ctx.fillText(name, size + (stacked ? 0 : i * picture.width / names.length), (stacked ? share : 1) * picture.height - 2 * size);
+    });
     if (!replay.stage.show.contacts || !replay.film.contactCount) return;
     ctx.textAlign = "right";
     let x = picture.width - size;
@@ -112,7 +118,10 @@ export class FilmStudio {
     const {stage, comparison} = this.replay;
     if (choice.width && choice.height) {
       const box = document.getElementById("stages") as HTMLElement;
-      box.style.cssText = `position:fixed;left:0;top:0;z-index:9;width:${choice.width}px;height:${choice.height}px`;
+      // the rules for small windows do not hold for films: pictures side by side, or in tall films one above the other
+      box.style.cssText = `position:fixed;left:0;top:0;z-index:9;width:${choice.width}px;height:${choice.height}px;` +
+        `min-height:0;flex-direction:${choice.height > choice.width ? "column" : "row"}`;
+      (document.getElementById("beside") as HTMLElement).style.border = "none";  // the picture has its own line
       comparison.resize();
       stage.fit();
     }

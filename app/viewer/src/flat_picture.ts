@@ -42,7 +42,7 @@ export class FlatPicture {
     const entries = scene.bodies.map((shape, i): Entry => ({
       item: kItems[shape.kind](shape, scene.shapePose(shape, t), scene.film.pose(shape.frameEnd ?? -1, t)),
       frame: shape.frame, colour: this.colours[i], depth: 0}));
-    const seen = this.hidden.size ? entries.filter(e => !this.hidden.has(e.frame)) : entries;
+    const seen = entries.filter((e, i) => !this.hidden.has(e.frame) && !scene.absent(scene.bodies[i], t));
     for (const {item, frame, colour} of backToFront(seen, camera)) {
       const path = item.paint(ctx, camera, colour);
       this.painted.push({path, frame});

@@ -58,7 +58,9 @@ export class LiveFilm extends Film {
 
   pose(i: number, t: number): Pose {
     if (i < 0 || !this.count) return {r: [0, 0, 0], q: [1, 0, 0, 0]};
-    const [a, b, share] = this.place(t), at = kPoseNumbers * i;
+    const place = this.place(t), [a, b] = place, at = kPoseNumbers * i;
+    if (isAbsent(a.poses, at)) return {r: [0, 0, 0], q: [0, 0, 0, 0]};
+    const share = isAbsent(b.poses, at) ? 0 : place[2];
     // quaternions of both signs are the same turn: the nearer one is taken
     let same = 0;
     for (let k = at + 3; k < at + 7; ++k) same += a.poses[k] * b.poses[k];
@@ -67,6 +69,8 @@ export class LiveFilm extends Film {
     const q: Q4 = [x(3), x(4), x(5), x(6)], size = Math.hypot(...q) || 1;
     return {r: [x(0), x(1), x(2)], q: q.map(e => e / size) as Q4};
   }
+
+  protected comes(): boolean { return true; }
 
   /** What stands so far may move later. */
   moves(i: number): boolean { return i >= 0; }
@@ -107,6 +111,10 @@ export class LiveFilm extends Film {
     sizes.sort((a, b) => a - b);
     return sizes.length ? sizes[Math.floor(0.9 * (sizes.length - 1))] : 0;
   }
+}
+
+function isAbsent(x: Float32Array, at: number): boolean {
+  return x[at + 3] === 0 && x[at + 4] === 0 && x[at + 5] === 0 && x[at + 6] === 0;
 }
 
 function contactIn(x: Float32Array, c: number, step: number): Contact {

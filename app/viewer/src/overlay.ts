@@ -67,12 +67,13 @@ export class Overlay {
   }
 
   /** Text on a plate of paper, so that it can be read over anything. */
-  private paintText(text: string, x: number, y: number): void {
+  private paintText(text: string, x: number, y: number, within = Infinity): void {
     const {ctx} = this;
     ctx.font = `600 12px ${kFont}`;
     ctx.textAlign = "center";
     ctx.textBaseline = "middle";
     const w = ctx.measureText(text).width + 10;
+    if (x > -w / 2 && x < within + w / 2) x = Math.min(Math.max(x, w / 2), Math.max(w / 2, within - w / 2));  // not cut at the edge
     ctx.globalAlpha = 0.85;
     ctx.fillStyle = theme.paper;
     ctx.fillRect(x - w / 2, y - 9, w, 18);
@@ -83,8 +84,9 @@ export class Overlay {
 
   private paintLabels(camera: Camera, t: number): void {
     for (const {frame, text} of this.labels) {
+      if (this.film.absent(frame, t)) continue;
       const [x, y] = camera.project(this.film.pose(frame, t).r);
-      this.paintText(text, x, y);
+      this.paintText(text, x, y, camera.width);
     }
   }
 
@@ -110,8 +112,9 @@ export class Overlay {
     for (let i = 0; i < Math.min(film.poses, 60); ++i) {
       if (!film.moves(i)) continue;
       const points: V2[] = [];
-      for (let f = 0; f <= last; f += stride) points.push(camera.project(film.pose(i, film.t[f]).r));
-      points.push(camera.project(film.pose(i, t).r));
+      const pass = (at: number): void => { if (!film.absent(i, at)) points.push(camera.project(film.pose(i, at).r)); };
+      for (let f = 0; f <= last; f += stride) pass(film.t[f]);
+      pass(t);
       ctx.strokeStyle = mixed(kPalette[i % kPalette.length], theme.dark ? 0 : 0.2);
       ctx.stroke(pathOf(points, false));
     }

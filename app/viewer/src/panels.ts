@@ -1,6 +1,8 @@
 // The panels beside the plots: events, facts of the run, text of the model, the card of a body.
 import type {Event, PageData} from "./data";
+import {kKeys} from "./labels";
 import {lastAtOrBefore, shortNumber} from "./math";
+import type {OtherRun} from "./other_run";
 import type {Curve, PlotPanel} from "./plots";
 import {kStates} from "./theme";
 
@@ -61,6 +63,21 @@ export function checksOf(run: Record<string, unknown>): HTMLElement | null {
   return table;
 }
 
+/** Lists the keys. */
+export function fillHelp(help: HTMLDialogElement): void {
+  const table = element("table");
+  for (const [keys, text] of kKeys) {
+    const row = table.insertRow();
+    row.insertCell().textContent = keys;
+    row.insertCell().textContent = text;
+  }
+  help.append(element("h2", "Keys"), table);
+  help.onclick = () => help.close();
+}
+
+/** What the curves of a panel are, in every run. */
+export const kindOf = (p: PlotPanel): string => `${p.title ?? p.curves[0]?.name} [${p.unit}]`;
+
 /** How the run ended and its size, for the head of the page. */
 function headline(data: PageData, span: number, frames: number): (string | Node)[] {
   const {run} = data, parts: (string | Node)[] = [];
@@ -83,8 +100,10 @@ function headline(data: PageData, span: number, frames: number): (string | Node)
 }
 
 /** Writes it there, and in full as a hint where the window is narrow. */
-export function showHeadline(box: HTMLElement, data: PageData, span: number, frames: number): void {
-  box.replaceChildren(...headline(data, span, frames));
+export function showHeadline(box: HTMLElement, data: PageData, span: number, frames: number, other: OtherRun | null): void {
+  const own = headline(data, span, frames);
+  box.replaceChildren(...(other ? [`${data.title}: `, ...own, "  \u2016  ", `${other.title}: `,
+    ...headline(other.data, other.end - other.begin, other.film.count)] : own));
   box.title = box.textContent ?? "";
 }
 
@@ -98,7 +117,7 @@ export function ledgerPanels(ledger: Map<string, Float64Array>): PlotPanel[] {
   const T = column("kinetic"), V = column("potential"), panels: PlotPanel[] = [];
   panels.push({title: "energy", unit: "J", height: 170, curves: [
     curve("kinetic", T), curve("potential", V), curve("sum", T.map((x, i) => x + V[i]))]});
-  const works = [...used("normal", "impacts"), ...used("friction", "friction"), ...used("nonPotential", "drives, dampers"),
+  const works = [...used("normal", "normal forces"), ...used("friction", "friction"), ...used("nonPotential", "drives, dampers"),
     ...used("joints", "joints"), ...used("boundaries", "moving boundaries")];
   if (works.length) panels.push({title: "work", unit: "J", height: 160, curves: works});
   panels.push({title: "ledger", unit: "J", curves: used("discretisation", "discretisation")});
@@ -128,7 +147,7 @@ export class EventList {
   private t = 0;
 
   /** `leftOut`: events that the run did not record. */
-  constructor(private readonly box: HTMLElement, private readonly all: Event[], private readonly leftOut: number,
+  constructor(private readonly box: HTMLElement, private all: Event[], private readonly leftOut: number,
               private readonly seek: (t: number) => void) {
     for (const kind of kKinds) {
       const button = element("button");
@@ -145,24 +164,31 @@ export class EventList {
     box.addEventListener("scroll", () => this.fill());
   }
 
-  private kindOf(e: Event, kind: typeof kKinds[number]): boolean { return kind === "all" || e.impact === (kind === "impacts"); }
+  /** Other events: those of two runs, which name their run, or of one again. */
+  take(all: Event[]): void {
+    this.all = all;
+    this.grown();
+  }
+
+  private isOf(e: Event, kind: typeof kKinds[number]): boolean { return kind === "all" || e.impact === (kind === "impacts"); }
   private listed(): Event[] { return this.brief ? this.all : this.all.filter(e => !e.brief); }
 
   /** Events were added to the list that it was made of, or others are chosen. */
   grown(): void {
     const listed = this.listed();
     [...this.bar.children].forEach((button, i) => {
-      button.textContent = `${kKinds[i]} ${listed.filter(e => this.kindOf(e, kKinds[i])).length}`;
+      button.textContent = `${kKinds[i]} ${listed.filter(e => this.isOf(e, kKinds[i])).length}`;
       turned(button, kKinds[i] === this.kind);
     });
     this.fillNote();
-    this.events = listed.filter(e => this.kindOf(e, this.kind));
+    this.events = listed.filter(e => this.isOf(e, this.kind));
     this.rows.style.height = `${kRow * this.events.length}px`;
     this.current = -2;
     this.show(this.t, true);
   }
 
   private fillNote(): void {
+    const own = this.all.reduce((n, e) => n + (e.other ? 0 : 1), 0);
     const brief = this.all.reduce((n, e) => n + (e.brief ? 1 : 0), 0), parts: (string | Node)[] = [];
     if (brief) {
       const button = element("button", this.brief ? "leave them out" : "list them", "inline");
@@ -174,7 +200,7 @@ export class EventList {
     }
     if (this.leftOut > 0) {
       if (parts.length) parts.push(element("br"));
-      parts.push(element("b", `The run recorded the first ${this.all.length} of ${this.all.length + this.leftOut} events.`));
+      parts.push(element("b", `The run recorded the first ${own} of ${own + this.leftOut} events.`));
     }
     this.note.replaceChildren(...parts);
     this.note.hidden = !parts.length;
@@ -205,7 +231,7 @@ export class EventList {
       row.style.top = `${kRow * (first + i)}px`;
       const mark = element("i"), colour = kStates.find(s => s.name === (e.impact || e.system ? "impact" : e.to)) ?? kStates[0];
       mark.style.background = colour.colour;
-      row.append(mark, element("span", `${e.t.toFixed(5)}`, "t"), element("span", e.contact, "c"),
+      row.append(mark, element("span", `${e.t.toFixed(5)}`, "t"), element("span", e.run ? `${e.run}: ${e.contact}` : e.contact, "c"),
         element("span", e.impact ? `${shortNumber(e.speed)} m/s, ${shortNumber(e.impulse)} N s` : e.system ? e.system :
           `${e.from} → ${e.to}`, "k"));
       row.title = e.impact ? `impact on ${e.contact} at ${shortNumber(e.speed)} m/s with ${shortNumber(e.impulse)} N s` : e.contact;

@@ -19,16 +19,20 @@ const quoted = (text: string): string => /[",\n]/.test(text) ? `"${text.replace(
 
 /** One row an instant of any curve; a curve without a number there has an empty field. */
 export function csvOf(panel: PlotPanel): string {
-  const rows = new Map<number, (number | undefined)[]>();
+  // by the instant and how many rows of the curve it had before: an impact has one on each side of it
+  const rows = new Map<string, {t: number; before: number; values: (number | undefined)[]}>();
   panel.curves.forEach((c, k) => {
-    for (let i = 0; i < c.t.length; ++i) {
-      const row = rows.get(c.t[i]) ?? new Array<undefined>(panel.curves.length).fill(undefined);
-      row[k] = c.y[i];
-      rows.set(c.t[i], row);
+    for (let i = 0, before = 0; i < c.t.length; ++i) {
+      before = i > 0 && c.t[i] === c.t[i - 1] ? before + 1 : 0;
+      const key = `${c.t[i]} ${before}`;
+      const row = rows.get(key) ?? {t: c.t[i], before, values: new Array<undefined>(panel.curves.length).fill(undefined)};
+      row.values[k] = c.y[i];
+      rows.set(key, row);
     }
   });
   const head = ["t [s]", ...panel.curves.map(c => panel.unit ? `${c.name} [${panel.unit}]` : c.name)].map(quoted).join(",");
-  const lines = [...rows].sort((a, b) => a[0] - b[0]).map(([t, row]) => [t, ...row.map(x => x ?? "")].join(","));
+  const sorted = [...rows.values()].sort((a, b) => a.t - b.t || a.before - b.before);
+  const lines = sorted.map(({t, values}) => [t, ...values.map(x => x ?? "")].join(","));
   return `${[head, ...lines].join("\n")}\n`;
 }
 

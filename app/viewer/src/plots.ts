@@ -36,7 +36,14 @@ function aligned(panel: PlotPanel): uPlot.AlignedData {
     Array.from(y, v => !Number.isFinite(v) ? null : panel.log ? (v > 0 ? v : null) : v);
   const same = panel.curves.every(c => c.t === panel.curves[0].t);
   if (same) return [Array.from(panel.curves[0].t), ...panel.curves.map(c => clean(c.y))] as uPlot.AlignedData;
-  return uPlot.join(panel.curves.map(c => [Array.from(c.t), clean(c.y)] as uPlot.AlignedData));
+  return uPlot.join(panel.curves.map(c => [apart(c.t), clean(c.y)] as uPlot.AlignedData));
+}
+
+/** Times of which none is twice there: the values before and after an impact would become one. */
+function apart(t: ArrayLike<number>): number[] {
+  const out = Array.from(t), hair = 1e-12 * Math.abs(out[out.length - 1] ?? 0);
+  for (let i = 1; i < out.length; ++i) if (out[i] <= out[i - 1]) out[i] = out[i - 1] + hair;
+  return out;
 }
 
 const kMostPlots = 60;  // at first: hundreds take seconds
@@ -176,7 +183,7 @@ export class Plots {
       scales: {x: {time: false, min: this.begin, max: this.end > this.begin ? this.end : this.begin + 1},
         y: panel.log ? {distr: 3} : {range: (_u, lo, hi) => padded(lo, hi)}},
       axes: [{...axis, size: 26, gap: 4, values: (_u, all) => all.map(label)},
-        {...axis, size: 58, gap: 4, values: (_u, all) => all.map(name), space: panel.log ? 18 : 24}],
+        {...axis, size: this.panels.some(p => p.curves.every(isStatus)) ? 76 : 58, gap: 4, values: (_u, all) => all.map(name), space: panel.log ? 18 : 24}],
       series: [{}, ...panel.curves.map((c, k): uPlot.Series => ({
         stroke: curveColour(c.colour ?? k), width: 1.5, spanGaps: true, points: {show: false}, dash: c.dashed ? [5, 4] : undefined}))],
       hooks: {

@@ -7,16 +7,15 @@ import type {Event, PageData, Scene, Signal} from "./data";
 import type {Film} from "./film";
 import type {Live, LiveFeed} from "./live";
 import {FilmStudio, saveFilm} from "./film_file";
-import {kKeys, kPauseIcon, kPlayIcon, kSpeeds, kThemeIcon, kViews} from "./labels";
+import {kPauseIcon, kPlayIcon, kSpeeds, kThemeIcon, kViews} from "./labels";
 import {clamp, shortNumber} from "./math";
 import type {OtherRun} from "./other_run";
-import {checksOf, element, EventList, ledgerPanels, modelText, showHeadline, tableOf, turned} from "./panels";
+import {checksOf, element, EventList, fillHelp, modelText, tableOf, turned} from "./panels";
 import {panelsOf, Plots} from "./plots";
 import {spanOf} from "./film";
 import {SceneModel} from "./scene_model";
 import {Stage, type StageHandler} from "./stage";
 import {kStates, mixed, theme, useTheme} from "./theme";
-import {paintMarks} from "./timeline";
 
 const byId = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
 
@@ -40,7 +39,7 @@ export class Replay {
   private named: Record<string, HTMLButtonElement> = {};
 
   constructor(readonly data: PageData, readonly scene: Scene, readonly film: Film, private readonly signals: Signal[],
-              private readonly events: Event[], ledger: Map<string, Float64Array>, address: URLSearchParams,
+              private readonly events: Event[], private ledger: Map<string, Float64Array>, address: URLSearchParams,
               private readonly grows = false) {
     [this.begin, this.end] = spanOf(film, signals);
     this.t = this.begin;
@@ -57,7 +56,7 @@ export class Replay {
     this.stage.follow(follow < film.poses ? follow : -1, this.t);
     const seek = (t: number): void => { this.pause().seek(t); };
     this.plots = new Plots(byId("plots"), panelsOf(signals), this.begin, this.end, seek);
-    this.energy = new Plots(byId("energy"), ledgerPanels(ledger), this.begin, this.end, seek);
+    this.energy = new Plots(byId("energy"), this.comparison.ledger(ledger), this.begin, this.end, seek);
     this.list = new EventList(byId("events"), events, Number(data.run?.eventsLeftOut ?? 0), seek);
     const main = document.querySelector("main") as HTMLElement;
     main.classList.toggle("alone", !grows && !signals.length && !data.model.text && !data.run);
@@ -88,19 +87,20 @@ export class Replay {
     stage.overlay.usualForce = film.usualForce();
     stage.overlay.usualImpact = film.usualImpact();
     this.plots.grow(this.begin, this.end);
-    this.energy.grow(this.begin, this.end, ledgerPanels(feed.ledgerColumns()));
-    this.list.grown();
+    this.ledger = feed.ledgerColumns();
+    this.energy.grow(this.begin, this.end, this.comparison.ledger(this.ledger));
+    this.list.take(this.comparison.events(this.events));
     for (const id of ["before", "after"]) byId<HTMLButtonElement>(id).disabled = !this.events.length;
-    showHeadline(byId("facts"), this.data, this.end - this.begin, this.film.count);
+    this.comparison.showHead();
     this.fillLegend();
-    paintMarks(byId("marks"), this.events, this.begin, this.end);
+    this.comparison.paintMarks(this.events);
     this.draw();
   }
 
   /** The run has ended, with these facts: from now on the page is a replay. */
   ended(run: Record<string, unknown>): void {
     this.data.run = run;
-    showHeadline(byId("facts"), this.data, this.end - this.begin, this.film.count);
+    this.comparison.showHead();
     byId("run").replaceChildren(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
     this.addTab("run", "Run");
     this.draw();
@@ -218,7 +218,7 @@ export class Replay {
     const changed = this.comparison.resize();
     this.showTab(this.tab);
     if (changed) this.drawNow();
-    paintMarks(byId("marks"), this.events, this.begin, this.end);
+    this.comparison.paintMarks(this.events);
   }
 
   setView(view: string): void {
@@ -252,7 +252,7 @@ export class Replay {
     this.comparison.beside?.stage.recolour();
     this.plots.rebuild();
     this.energy.rebuild();
-    paintMarks(byId("marks"), this.events, this.begin, this.end);
+    this.comparison.paintMarks(this.events);
     this.fillLegend();
     this.draw();
   }
@@ -292,20 +292,13 @@ export class Replay {
     byId("title").title = named;
     document.title = `${named} \u00b7 dynamY ${this.grows ? "live" : "replay"}`;
     if (this.grows) (document.querySelector(".brand span") as HTMLElement).textContent = "live";
-    showHeadline(byId("facts"), this.data, this.end - this.begin, this.film.count);
+    this.comparison.showHead();
     if (run) byId("run").append(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
     if (model.text) byId("model").append(modelText(model.text));
     byId("theme").innerHTML = kThemeIcon;
     byId("theme").onclick = () => this.setTheme(!theme.dark);
     this.fillLegend();
-    const help = byId<HTMLDialogElement>("help"), table = element("table");
-    for (const [keys, text] of kKeys) {
-      const row = table.insertRow();
-      row.insertCell().textContent = keys;
-      row.insertCell().textContent = text;
-    }
-    help.append(element("h2", "Keys"), table);
-    help.onclick = () => help.close();
+    fillHelp(byId<HTMLDialogElement>("help"));
     const tabs: [string, string, boolean][] = [
       ["live", "Live", this.grows],
       ["plots", "Signals", this.signals.length > 0], ["energy", "Energy, solver", ledger || this.grows],
@@ -432,7 +425,8 @@ export class Replay {
       button("switches", name, name === "contacts" ? "contact forces (c)" : "paths of the bodies (t)",
         () => this.setSwitch(name, !this.stage.show[name])).dataset.name = name;
     }
-    const names = button("switches", "names", "names of the bodies (b)", () => this.pressed("b", this.tools.nameAll()));
+    const names = button("switches", "names", "names of the bodies (b)", () => this.tools.nameAll());
+    this.tools.onNames = on => turned(names, on);
     const measure = button("switches", "measure", "distance of two points (m)", () => this.pressed("m", this.tools.toggleMeasure()));
     const other = button("switches", "compare", "lay another run over this one: its replay.html (o)", () => {
       if (this.tools.other) this.layOver(null);
@@ -454,6 +448,13 @@ export class Replay {
     this.comparison.show(other);
     this.end = Math.max(spanOf(this.film, this.signals)[1], other?.end ?? -Infinity);
     this.plots.setPanels(other ? other.addTo(panels, this.data.title) : panels, this.begin, this.end);
+    this.energy.setPanels(this.comparison.ledger(this.ledger), this.begin, this.end);
+    const events = this.comparison.events(this.events);
+    this.list.take(events);
+    if (events.length && !document.getElementById("tab_events")) this.addTab("events", "Events");
+    for (const id of ["before", "after"]) byId<HTMLButtonElement>(id).disabled = !events.length;
+    this.comparison.showHead();
+    this.comparison.paintMarks(this.events);
     this.pressed("o", other !== null);
     this.named.w.hidden = !other;
     this.pressed("w", this.comparison.isBeside);

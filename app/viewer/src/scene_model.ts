@@ -41,9 +41,14 @@ export class SceneModel {
     return {c: pose.r, n: rotated(pose.q, [0, 0, 1])};
   }
 
+  /** Whether a body of the shape, or of an end of a link, takes no part at t. */
+  absent(shape: SceneShape, t: number): boolean {
+    return this.film.absent(shape.frame, t) || this.film.absent(shape.frameEnd ?? -1, t);
+  }
+
   /** The planes that end that of `shape` at t: those that no moving body lies beyond. */
   endsOf(shape: SceneShape, t: number): Plane[] {
-    const bodies = this.bodies.filter(s => s.frame >= 0 && s.frame !== shape.frame).slice(0, 300).map(s => this.shapePose(s, t).r);
+    const bodies = this.bodies.filter(s => s.frame >= 0 && s.frame !== shape.frame && !this.absent(s, t)).slice(0, 300).map(s => this.shapePose(s, t).r);
     return this.grounds.filter(g => g !== shape).map(g => this.plane(g, t)).filter(({c, n}) => bodies.every(r => dot(n, sub(r, c)) >= 0));
   }
 
@@ -59,6 +64,7 @@ export class SceneModel {
   }
 
   private pointsOf(shape: SceneShape, t: number): V3[] {
+    if (this.absent(shape, t)) return [];
     const pose = this.shapePose(shape, t), R = shape.radius ?? 0;
     if (shape.kind === "sphere" && this.bodies.length > 300) {
       return [add(pose.r, [R, R, R]), sub(pose.r, [R, R, R])];

@@ -272,6 +272,9 @@ export class SpacePicture {
   private placeLink(shape: SceneShape, object: Mesh | Line, t: number): void {
     const [a, b] = [this.model.film.pose(shape.frame, t), this.model.film.pose(shape.frameEnd ?? -1, t)];
     const [p, q] = shape.points ?? [];
+    const there = !this.model.absent(shape, t);
+    object.visible = there && !this.hidden.has(shape.frame);
+    if (!there) return;
     const from = add(a.r, rotated(a.q, p ?? [0, 0, 0])), to = add(b.r, rotated(b.q, q ?? [0, 0, 0]));
     const size = this.model.extent.size;
     if (shape.style === "spring") {
@@ -342,6 +345,11 @@ function placeBalls({mesh, instances}: Group, now: Float32Array): void {
   for (let i = 0; i < instances.length; ++i) {
     const a = 7 * instances[i].frame, R = instances[i].shape.radius ?? 1, o = 16 * i;
     const w = now[a + 3], x = now[a + 4], y = now[a + 5], z = now[a + 6];
+    if (w === 0 && x === 0 && y === 0 && z === 0) {  // absent
+      out.fill(0, o, o + 16);
+      out[o + 15] = 1;
+      continue;
+    }
     out[o] = R * (1 - 2 * (y * y + z * z)), out[o + 1] = 2 * R * (x * y + w * z), out[o + 2] = 2 * R * (x * z - w * y);
     out[o + 4] = 2 * R * (x * y - w * z), out[o + 5] = R * (1 - 2 * (x * x + z * z)), out[o + 6] = 2 * R * (y * z + w * x);
     out[o + 8] = 2 * R * (x * z + w * y), out[o + 9] = 2 * R * (y * z - w * x), out[o + 10] = R * (1 - 2 * (x * x + y * y));
@@ -387,9 +395,10 @@ function localOf(shape: SceneShape): Matrix4 {
   return poseMatrix(shape.position, shape.orientation).scale(new Vector3(a, b, c));
 }
 
-const kPlace = new Vector3(), kTurn = new Quaternion(), kOne = new Vector3(1, 1, 1);
+const kPlace = new Vector3(), kTurn = new Quaternion(), kOne = new Vector3(1, 1, 1), kNothing = new Vector3(0, 0, 0);
+/** The matrix of a pose; of a body that is absent one that draws nothing. */
 function composed(m: Matrix4, now: Float32Array, at: number): void {
   kPlace.set(now[at], now[at + 1], now[at + 2]);
   kTurn.set(now[at + 4], now[at + 5], now[at + 6], now[at + 3]);
-  m.compose(kPlace, kTurn, kOne);
+  m.compose(kPlace, kTurn, kTurn.lengthSq() > 0 ? kOne : kNothing);
 }

@@ -59,7 +59,7 @@ export class Stage {
 
   draw(t: number): void {
     this.t = t;
-    if (this.followed >= 0) {
+    if (this.followed >= 0 && !this.model.film.absent(this.followed, t)) {
       const {r} = this.model.film.pose(this.followed, t);
       this.camera.centre = add(this.camera.centre, sub(r, this.anchor));
       this.anchor = r;

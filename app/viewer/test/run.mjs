@@ -219,6 +219,70 @@ async function tools(file, other) {
   await page.close();
 }
 
+/** Two runs beside each other: films of all sizes have equal scales along both sides, and nothing shows one run alone. */
+async function both(page) {
+  for (const [width, height] of [[400, 300], [640, 480], [800, 400], [900, 600], [300, 600], [320, 100]]) {
+    const sizes = await page.evaluate(([width, height]) => {
+      window.replay.studio.begin({fps: 25, width, height});
+      const {comparison, t} = window.replay, whole = comparison.picture(t);
+      return {whole: [whole.width, whole.height], each: ["stage", "beside"].map(id => {
+        const {clientWidth: w, clientHeight: h} = document.getElementById(id);
+        return [w, h];
+      })};
+    }, [width, height]);
+    const tall = height > width, half = tall ? [width, height / 2] : [width / 2, height];
+    expect(`${sizes.whole}` === `${[width, height]}`, `a film of ${width}x${height}: the picture has ${sizes.whole}`);
+    expect(sizes.each.every(s => `${s}` === `${half}`), `a film of ${width}x${height}: its parts have ${sizes.each.join(" and ")}`);
+  }
+  const seen = await page.evaluate(() => {
+    const {replay} = window, dashed = plots => plots.panels.map(p => p.curves.filter(c => c.dashed).length);
+    return {energy: dashed(replay.energy), head: document.getElementById("facts").textContent,
+      events: replay.list.all.map(e => e.run), own: replay.events.length};
+  });
+  expect(seen.energy.length > 0 && seen.energy.every(n => n > 0), `energies of both runs: ${seen.energy} dashed`);
+  expect(seen.events.length === 2 * seen.own && seen.events.every(x => x), `events of both runs: ${seen.events.length} of ${seen.own}`);
+  expect(seen.head.includes("\u2016"), `the head has both runs: ${seen.head}`);
+}
+
+/** What the address says about bodies and arrows. */
+async function looks(file) {
+  const name = await open(file, "").then(async page => {
+    const out = await page.evaluate(() => window.replay.tools.names[0]);
+    await page.close();
+    return out;
+  });
+  const page = await open(file, `names=1&arrows=2.5&hide=${encodeURIComponent(name)},nobody`);
+  const got = await page.evaluate(() => ({factor: window.replay.stage.forceFactor, hidden: [...window.replay.stage.flat.hidden],
+    unknown: window.replay.tools.unknown,
+    labels: window.replay.tools.labelled.length}));
+  expect(got.factor === 2.5 && `${got.hidden}` === "0" && `${got.unknown}` === "nobody" && got.labels > 0,
+    `names, arrows and hide in the address: ${JSON.stringify(got)}`);
+  await page.close();
+}
+
+/** Grains that were taken away are not drawn, in either picture. */
+async function grains(out) {
+  const model = `${out}.xml`;
+  writeFileSync(model, `<dynamy version="1"><systems><Grains name="g" count="4" within="1 1 1 3 3 1.4" pitch="0.5" takeWithin="-9 -9 -9 9 9 0.5">
+    <Sphere radius="0.1" density="1000"/></Grains></systems><forces><Gravity acceleration="0 0 -9.81"/></forces>
+    <simulation until="0.6" step="1e-3"/><record frames="50Hz"/></dynamy>`);
+  execFileSync(program, ["run", model, "--out", out, "--quiet"], {stdio: "inherit"});
+  for (const hash of ["view=iso", "view=xz", "view=iso&webgl=0"]) {
+    const page = await open(join(out, "replay.html"), hash);
+    const at = async t => {
+      await page.evaluate(time => window.replay.seek(time).drawNow(), t);
+      return [await page.evaluate(() => [0, 1, 2, 3].filter(i => !window.replay.film.absent(i, window.replay.t)).length), await colours(page)];
+    };
+    const [many, full] = await at(0.1), [none, empty] = await at(0.6);
+    expect(many === 4 && none === 0, `grains ${hash}: ${many} before, ${none} after they were taken`);
+    expect(empty < full, `grains ${hash}: an empty picture has fewer colours: ${full}, ${empty}`);
+    const lowest = await page.evaluate(() => window.replay.stage.model.extent.lo);
+    expect(lowest[0] > 0.8, `grains ${hash}: the origin is not part of the scene: ${lowest}`);
+    expect(page.said.length === 0, `grains ${hash}: ${page.said.join("; ")}`);
+    await page.close();
+  }
+}
+
 /** The other run in a picture of its own, which moves with the first one. */
 async function apart(page) {
   expect(await page.isVisible(".caption"), "the other run is named");
@@ -349,7 +413,10 @@ for (const model of models) {
     const two = await open(file, "");
     expect(await two.evaluate(() => window.replay.comparison.isBeside), "view --with --beside: two pictures");
     expect(two.said.length === 0, `view --beside: ${two.said.join("; ")}`);
+    await both(two);
     await two.close();
+    await looks(file);
+    await grains(join(folder, "grains"));
   }
   console.log(`${name}: done`);
 }
