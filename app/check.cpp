@@ -348,6 +348,17 @@ std::string json(const Model& model, const Sizes& s, const RunSizes& run,
   return out + "\n";
 }
 
+/// Faults go to stderr; with JSON, what was left out goes there, too.
+void printVerdict(const dynamy::Verdict& verdict, bool json) {
+  const std::vector<std::string>& leftOut = verdict.uncompared();
+  for (const std::string& fault : verdict.faults()) fmt::print(stderr, "{}\n", fault);
+  if (!json && verdict)
+    fmt::print(" every entry of its elements {}agrees with differences\n",
+               leftOut.empty() ? "" : "that is compared ");
+  for (const std::string& text : leftOut)
+    fmt::print(json ? stderr : stdout, " not compared: {}\n", text);
+}
+
 }  // namespace
 
 int check(Program& program, const CheckChoice& choice) {
@@ -366,8 +377,7 @@ int check(Program& program, const CheckChoice& choice) {
   const int status = deep ? kFailed : atStart.qualified() ? kQualified : kOk;
   if (!choice.elements) return status;
   const dynamy::Verdict verdict = checkModel(model);
-  for (const std::string& fault : verdict.faults()) fmt::print(stderr, "{}\n", fault);
-  if (!choice.json && verdict) fmt::print(" every entry of its elements agrees with differences\n");
+  printVerdict(verdict, choice.json);
   return verdict ? status : kFailed;
 }
 

@@ -207,7 +207,12 @@ class Steps {
   py::dict step(double dt) {
     if (!(dt >= 0.0)) throw py::value_error("a step has a length above 0, not " + numberText(dt));
     if (!(dt > 0.0)) dt = model_.simulation.step;
-    if (!(dt > 0.0) && model_.scheme().choosesSteps()) dt = model_.simulation.until - state().t;
+    if (!(dt > 0.0) && model_.scheme().choosesSteps()) {
+      dt = model_.simulation.until - state().t;
+      if (isPassed(model_.simulation.until, state().t))
+        throw ModelError("the run ended at t = " + numberText(state().t) + " s",
+                         "simulation.advance(0.01) goes on, and so does step(1e-3)");
+    }
     if (!(dt > 0.0))
       throw ModelError("no step is given",
                        "say step(1e-3), model.step = 1e-3 or model.tolerance = 1e-6");

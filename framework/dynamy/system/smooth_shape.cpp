@@ -22,6 +22,8 @@ constexpr double kQuadrature = 1e-13;  ///< circles are doubled until results ch
 /// The error of the differences by third derivatives and rounding is about 1e-8 of the size, but
 /// the error of a wrong H is as large as H.
 constexpr double kAngle = 1e-4, kOff = 1e-5;
+/// Rounding of a radius of curvature that is 0, as a part of the size.
+constexpr double kHollow = 1e-10;
 
 Vec3 direction(double polar, double azimuth) {
   return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
@@ -79,6 +81,35 @@ Moments moments(const SmoothShape& s, int circles) {
   return out;
 }
 
+/// Least radius of curvature of the shape, and the direction in which it lies.
+struct Sharpest {
+  double radius = std::numeric_limits<double>::infinity();  ///< [m]
+  Vec3 d = Vec3::UnitZ();
+};
+
+/// Takes the eigenvalues of H on the plane across d: the principal radii of curvature.
+void takeRadii(const SmoothShape& s, const Vec3& d, Sharpest& out) {
+  const Mat3 H = s.pointDerivative(d);
+  const Vec3 e = d.unitOrthogonal(), f = d.cross(e);
+  const double a = e.dot(H * e), b = e.dot(H * f), c = f.dot(H * f);
+  const double least = 0.5 * (a + c) - std::hypot(0.5 * (a - c), b);
+  if (least < out.radius) out = {least, d};
+}
+
+/// Looks every 15°, the ends of the axes among them, then around the least radius with ever
+/// smaller angles.
+Sharpest sharpest(const SmoothShape& s) {
+  Sharpest out;
+  forDirections([&](const Vec3& d) { takeRadii(s, d, out); });
+  for (double angle = kBetween; angle > kAngle; angle *= 0.5) {
+    const Vec3 d = out.d, e = d.unitOrthogonal(), f = d.cross(e);
+    for (int i = 0; i < 8; ++i)
+      takeRadii(s, (d + angle * (std::cos(kPi * i / 4) * e + std::sin(kPi * i / 4) * f)).normalized(),
+                out);
+  }
+  return out;
+}
+
 }  // namespace
 
 ShapeGeometry SmoothShape::geometry() const {
@@ -129,12 +160,13 @@ void SmoothShape::requireConsistent() const {
       all.push_back(direction(polar, azimuth));
       size = std::max(size, point(all.back()).norm());
     }
-  const auto fault = [&](const Vec3& d, const std::string& what) {
+  const auto fault = [&](const Vec3& d, const std::string& what, const char* hint =
+                             "point(d) is the point furthest along d, pointDerivative(d) how it turns") {
     Diagnostic said;
     said.place = place(), said.element = type();
     said.text =
         "d = " + numberText(d[0]) + ' ' + numberText(d[1]) + ' ' + numberText(d[2]) + ": " + what;
-    said.hint = "point(d) is the point furthest along d, pointDerivative(d) how it turns";
+    said.hint = hint;
     throw ModelError(said);
   };
   for (const Vec3& d : all) {
@@ -153,6 +185,12 @@ void SmoothShape::requireConsistent() const {
         fault(d, "pointDerivative is not the derivative of point");
     }
   }
+  const Sharpest least = sharpest(*this);
+  // Corners have the radius 0, up to rounding.
+  if (!(least.radius >= -kHollow * size))
+    fault(least.d,
+          "a radius of curvature is " + numberText(least.radius) + " m: the surface is hollow there",
+          "a SmoothShape is convex: pointDerivative(d) has no eigenvalue below 0");
 }
 
 }  // namespace dynamy

@@ -36,8 +36,8 @@ class SmoothShape : public Shape {
     double bound = 0.0, halfWidth = 0.0;
   };
   Extent extent() const;
-  /// Throws ModelError if x(d) is not the furthest point along d, if H is not its derivative, or if
-  /// the origin lies outside of the shape. Checked in some directions.
+  /// Throws ModelError if x(d) is not the furthest point along d, if H is not its derivative or has
+  /// a negative eigenvalue, or if the origin lies outside. Checked in some directions.
   void requireConsistent() const;
 };
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/testing/random_motion.hpp>
@@ -26,8 +27,14 @@ void Verdict::fault(std::string text) {
   if (faults_.size() < kMost) faults_.push_back(std::move(text));
 }
 
+void Verdict::leftOut(std::string text) {
+  if (std::find(uncompared_.begin(), uncompared_.end(), text) == uncompared_.end())
+    uncompared_.push_back(std::move(text));
+}
+
 void Verdict::add(const Verdict& part) {
   for (const std::string& text : part.faults_) fault(text);
+  for (const std::string& text : part.uncompared_) leftOut(text);
 }
 
 std::ostream& operator<<(std::ostream& out, const Verdict& check) {
@@ -53,7 +60,7 @@ void checkMemory(Model& model, const E& element, testing::RandomMotion& motion, 
   for (int i = 0; i < m.size; ++i)
     if (!(std::abs(twice[i] - once[i]) <= kSameMemory * (1.0 + std::abs(once[i]))))
       out.fault(fmt::format("{}: remember() gives memory[{}] = {:.9g}, called again there {:.9g}",
-                            testing::nameOf(element, "element"), i, once[i], twice[i]));
+                            testing::labelOf(element, "element"), i, once[i], twice[i]));
 }
 
 Verdict checkMemories(Model& model, const CheckOptions& options) {

@@ -28,11 +28,14 @@ class Verdict {
   std::string message() const;
   const std::vector<std::string>& faults() const { return faults_; }
   void fault(std::string text);
-  /// Takes over the faults of a part.
+  /// What was not compared with differences, and why: each once.
+  const std::vector<std::string>& uncompared() const { return uncompared_; }
+  void leftOut(std::string text);
+  /// Takes over the faults of a part, and what it left out.
   void add(const Verdict& part);
 
  private:
-  std::vector<std::string> faults_;
+  std::vector<std::string> faults_, uncompared_;
 };
 std::ostream& operator<<(std::ostream& out, const Verdict& check);
 
@@ -57,7 +60,8 @@ Verdict checkSystem(const PartialMechanicalSystem& system, const CheckOptions& o
 /// Checks all contact elements of a built model. Every contact counts as closed, for either sign of
 /// its gap. W and χ must not depend on u; γ_N = Wᵀu + χ must equal dg/dt [m/s], else the wrong
 /// entries of W_N and χ_N are named; the bias must equal dγ/dt at u̇ = 0 [m/s²]; segments must name
-/// existing mass blocks.
+/// existing mass blocks. Contacts that are not met near the start, or vanish at states nearby, are
+/// listed as left out.
 Verdict checkContacts(Model& model, const CheckOptions& options = {});
 
 /// Checks the forces of a built model that state a potential: force·u + V̇ = 0 [W].

@@ -11,7 +11,7 @@ namespace dynamy {
 
 namespace {
 
-using testing::RandomMotion, testing::nameOf;
+using testing::RandomMotion, testing::labelOf;
 
 }  // namespace
 
@@ -28,14 +28,20 @@ Verdict checkForces(Model& model, const CheckOptions& options) {
       ForceSink sink(view(h), view(nonPotential));
       sink.hasPotential(force->hasPotential());
       force->addTo(motion.kinematics(x), sink);
-      const std::string name = nameOf(*force, "force");
+      const std::string name = labelOf(*force, "force");
       if (!h.allFinite()) result.fault(name + ": a force is not finite");
-      if (!force->hasPotential()) continue;
+      if (!force->hasPotential()) {
+        result.leftOut(name + ": it states no potential with which its force could be compared");
+        continue;
+      }
       const double V = force->potentialEnergy(motion.kinematics(x));
       State later = x;
       later.t += 0.37;
       // If the force is driven through t, its power is not all of dV/dt.
-      if (force->potentialEnergy(motion.kinematics(later)) != V) continue;
+      if (force->potentialEnergy(motion.kinematics(later)) != V) {
+        result.leftOut(name + ": its power, since its potential changes with time by itself");
+        continue;
+      }
       const testing::Difference D = testing::differentiate([&](double s) {
         return Eigen::VectorXd::Constant(1,
                                          force->potentialEnergy(motion.kinematics(motion.after(s))))

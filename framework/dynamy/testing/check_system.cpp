@@ -8,6 +8,7 @@
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <dynamy/testing/difference.hpp>
+#include <dynamy/testing/random_motion.hpp>
 #include <random>
 
 namespace dynamy {
@@ -15,6 +16,8 @@ namespace {
 
 ConstVec in(const Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 
+/// Most frames of one system that are compared.
+constexpr int kMostFrames = 8;
 constexpr double kUnwritten = std::numeric_limits<double>::quiet_NaN();
 
 template <class F>
@@ -88,8 +91,7 @@ class SystemCheck {
         blocks_(system.blocks()),
         random_(options.seed),
         now_(system) {
-    name_ = system.name().empty() ? system.type() : system.name();
-    if (name_.empty()) name_ = "system";
+    name_ = testing::labelOf(system, "system");
     nq_ = blocks_.nq * blocks_.capacity, nu_ = blocks_.nu * blocks_.capacity;
   }
 
@@ -108,13 +110,17 @@ class SystemCheck {
       if (!result_) break;  // the next checks rely on these
       checkPower();
       checkGravity();
-      for (int id = 0; id < std::min(system_.frames(), 8); ++id) checkFrame(id);
+      for (int id = 0; id < std::min(system_.frames(), kMostFrames); ++id) checkFrame(id);
     }
+    if (const int more = system_.frames() - kMostFrames; more > 0)
+      leftOut(fmt::format("frames {} and later, {} of them: only the first {} are compared",
+                          kMostFrames, more, kMostFrames));
     return result_;
   }
 
  private:
   void fault(const std::string& text) { result_.fault(name_ + ": " + text); }
+  void leftOut(const std::string& text) { result_.leftOut(name_ + ": " + text); }
   double uniform() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
   Eigen::VectorXd randomVelocity() {
     Eigen::VectorXd v(nu_);
@@ -254,11 +260,12 @@ void SystemCheck::checkPower() {
   // A system that is driven through t (q̇ at u = 0, M or V at fixed q) exchanges power with its
   // drive. No function states this power, so that it cannot be checked.
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nu_);
-  if (nq_ > 0 && now_.qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return;
+  const char* const driven = "the balance of power: M, V or qdot at rest depend on time";
+  if (nq_ > 0 && now_.qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return leftOut(driven);
   const double V = system_.potentialEnergy(now_.t, in(now_.q)), later = now_.t + 0.37;
   if (system_.potentialEnergy(later, in(now_.q)) != V ||
       now_.mass(later, now_.q) != now_.mass(now_.t, now_.q))
-    return;
+    return leftOut(driven);
   const auto along = [&](double s) { return now_.moved(now_.u, s); };
   const testing::Difference Vdot =
       scalarDifference([&](double s) { return system_.potentialEnergy(now_.t + s, in(along(s))); });
@@ -281,11 +288,12 @@ void SystemCheck::checkPower() {
 
 void SystemCheck::checkGravity() {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nu_);
-  if (nq_ > 0 && now_.qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return;
+  const char* const driven = "the power of gravity: its potential or qdot at rest depend on time";
+  if (nq_ > 0 && now_.qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return leftOut(driven);
   const Vec3 g_I(uniform(), uniform(), uniform());
   Eigen::VectorXd h = Eigen::VectorXd::Constant(nu_, kUnwritten), scratch(nu_);
   const double V = system_.gravity(now_.t, in(now_.q), g_I, view(h));
-  if (system_.gravity(now_.t + 0.37, in(now_.q), g_I, view(scratch)) != V) return;
+  if (system_.gravity(now_.t + 0.37, in(now_.q), g_I, view(scratch)) != V) return leftOut(driven);
   // The parts of V along the three axes may cancel, but the rounding of each part remains.
   double parts = 0.0;
   for (int i = 0; i < 3; ++i)

@@ -7,6 +7,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <dynamy/core/constants.hpp>
 #include <limits>
 
@@ -42,6 +43,58 @@ Difference differentiate(const F& f, double scale = 1.0, double noise = 0.0) {
     }
   }
   return best;
+}
+
+/// Derivatives of many entries, each with a bound of its error; infinite: the entry is not a number
+/// at some point of every step length.
+struct Differences {
+  Eigen::VectorXd value, error;
+};
+
+/// As differentiate(), for entries that are NaN where they do not exist: each is compared at the
+/// step lengths at which it exists, and does not spoil the bounds of the others. `noise`: absolute
+/// rounding of f beyond that of its own size.
+template <class F>
+Differences differentiateEach(const F& f, double noise = 0.0) {
+  Differences best;
+  for (const double d : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    Eigen::VectorXd D[2], size;
+    for (int half = 0; half < 2; ++half) {
+      const double s = half == 0 ? d : 0.5 * d;
+      const Eigen::VectorXd a = f(-2.0 * s), b = f(-s), c = f(s), e = f(2.0 * s);
+      D[half] = (a - e + 8.0 * (c - b)) / (12.0 * s);
+      const Eigen::VectorXd most =
+          a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs()).cwiseMax(e.cwiseAbs());
+      size = half == 0 ? most : Eigen::VectorXd(size.cwiseMax(most));
+    }
+    if (best.value.size() == 0) {
+      best.value = D[1];
+      best.error = Eigen::VectorXd::Constant(D[1].size(), std::numeric_limits<double>::infinity());
+    }
+    const auto exists = [&](Eigen::Index i) { return std::isfinite(D[0][i] - D[1][i]); };
+    double truncation = 0.0, largest = 0.0;
+    for (Eigen::Index i = 0; i < size.size(); ++i)
+      if (exists(i))
+        truncation = std::max(truncation, std::abs(D[0][i] - D[1][i])),
+        largest = std::max(largest, size[i]);
+    const double bound = truncation + 30.0 * (kEpsilon * largest + noise) / d;
+    for (Eigen::Index i = 0; i < size.size(); ++i)
+      if (exists(i) && bound < best.error[i]) best.value[i] = D[1][i], best.error[i] = bound;
+  }
+  return best;
+}
+
+/// True: the derivatives of entry i of f from both sides of 0 differ by half of `off` or more, or
+/// one of them does not exist. A central difference does not show such a kink.
+template <class F>
+bool hasKink(const F& f, Eigen::Index i, double off) {
+  for (const double s : {1e-3, 1e-4, 1e-5}) {
+    const auto at = [&](double x) { return f(x)[i]; };
+    const double zero = at(0.0), right = (4.0 * at(s) - at(2.0 * s) - 3.0 * zero) / (2.0 * s),
+                 left = (3.0 * zero - 4.0 * at(-s) + at(-2.0 * s)) / (2.0 * s);
+    if (std::abs(right - left) < 0.5 * off) return false;
+  }
+  return true;
 }
 
 }  // namespace dynamy::testing

@@ -11,6 +11,15 @@ inline std::string nameOf(const Element& e, const char* otherwise) {
   return e.type().empty() ? otherwise : e.type();
 }
 
+/// "ball.xml:12:5: floor": place and name, as faults begin. Elements made in C++ have no place.
+inline std::string withPlace(const Place& place, const std::string& name) {
+  const std::string where = place.format();
+  return where.empty() ? name : where + ": " + name;
+}
+inline std::string labelOf(const Element& e, const char* otherwise) {
+  return withPlace(e.place(), nameOf(e, otherwise));
+}
+
 /// Random states of a model and the motion through them.
 class RandomMotion {
  public:

@@ -134,6 +134,27 @@ class RootWall final : public SimpleContact {
   void gamma(double, ConstVec, ConstVec u, Vec gamma) const override { gamma[0] = -u[0]; }
 };
 
+/// Contacts of which one exists all the time and one comes and goes with the sign of t; `wrong`: a
+/// factor on γ of the first.
+class FlickeringWall final : public NonSmoothElement {
+ public:
+  static void declare(Attributes& a) { a.optional("wrong", Unit::none, 1.0, "factor on gamma"); }
+  explicit FlickeringWall(const Parameters& x) : NonSmoothElement(x), wrong_(x["wrong"]) {}
+  void connect(Topology&) override {}
+  void contacts(const Kinematics& k, ContactSink& sink) const override {
+    for (int i = 0; i < (k.t() > 0.01 ? 2 : 1); ++i) {
+      ContactRows rows = sink.add(static_cast<std::uint64_t>(i), k.t(), law_, 1);
+      if (!rows) continue;
+      rows.chi(0) = wrong_;
+      if (rows.wantsBias()) rows.bias(0) = 0.0;
+    }
+  }
+
+ private:
+  Unilateral law_;
+  double wrong_;
+};
+
 Verdict checkWall(double chi, double w) {
   Model model;
   model.add<Bead>("bead", {});
@@ -256,22 +277,49 @@ TEST(CheckContacts, AcceptsAMovingCurvedWall) {
 // At the start t = 0, x = 0.3: dg/dt = 0.5 − 0.6 u.
 TEST(CheckContacts, ReportsAWrongChi) {
   const Verdict check = checkWall(0.5, 1.0);
-  EXPECT_TRUE(says(check, "wall: contact 0: gamma_N")) << check;
-  EXPECT_TRUE(says(check, "wall: contact 0: chi_N = 0.25 m/s, but dg/dt at u = 0 is 0.5 m/s"))
-      << check;
+  EXPECT_TRUE(says(check, "wall: gamma_N")) << check;
+  EXPECT_TRUE(says(check, "wall: chi_N = 0.25 m/s, but dg/dt at u = 0 is 0.5 m/s")) << check;
   EXPECT_FALSE(says(check, "W_N")) << check;
 }
 
 TEST(CheckContacts, ReportsAWrongW) {
   const Verdict check = checkWall(1.0, -1.0);
-  EXPECT_TRUE(says(check, "wall: contact 0: gamma_N")) << check;
-  EXPECT_TRUE(says(check, "wall: contact 0: W_N of bead.speed = 0.6, but it changes dg/dt by -0.6"))
-      << check;
+  EXPECT_TRUE(says(check, "wall: gamma_N")) << check;
+  EXPECT_TRUE(says(check, "wall: W_N of bead.speed = 0.6, but it changes dg/dt by -0.6")) << check;
   EXPECT_FALSE(says(check, "chi_N")) << check;
 }
 
 TEST(CheckContacts, NamesAnEntryThatIsNotFinite) {
-  EXPECT_TRUE(says(checkWall(1.0, 1e308), "wall: contact 0: W[0,bead.speed] = "));
+  EXPECT_TRUE(says(checkWall(1.0, 1e308), "wall: W[0,bead.speed] = "));
+}
+
+TEST(CheckContacts, ListsAContactThatComesAndGoesAndComparesTheOthers) {
+  for (const double wrong : {1.0, 2.0}) {
+    Model model;
+    model.add<Bead>("bead", {});
+    model.add<FlickeringWall>("wall", {{"wrong", wrong}});
+    model.build();
+    const Verdict check = checkContacts(model);
+    EXPECT_EQ(bool(check), wrong == 1.0) << check;
+    EXPECT_EQ(says(check, "wall: gamma_N = Wᵀu + chi = 2 m/s"), wrong != 1.0) << check;
+  }
+}
+
+TEST(CheckContacts, ListsWhatIsNeverMet) {
+  struct Never final : NonSmoothElement {
+    explicit Never(const Parameters& x) : NonSmoothElement(x) {}
+    static void declare(Attributes&) {}
+    void connect(Topology&) override {}
+    void contacts(const Kinematics&, ContactSink&) const override {}
+  };
+  Model model;
+  model.add<Bead>("bead", {});
+  model.add(std::make_unique<Never>(Parameters::of<Never>("Never", "never", {})));
+  model.build();
+  const Verdict check = checkModel(model);
+  EXPECT_TRUE(check) << check;
+  ASSERT_EQ(check.uncompared().size(), 1u);
+  EXPECT_EQ(check.uncompared()[0], "never: no contact of it is met near the start");
 }
 
 TEST(CheckContacts, NamesAGapThatIsNoNumber) {

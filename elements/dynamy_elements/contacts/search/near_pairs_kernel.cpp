@@ -48,9 +48,11 @@ void NearPairs::lookAhead(const Kinematics& k, const ContactRequest& request) {
     const Frame& f = k.frame(s.frame);
     const double arm = s.p_K.norm() + (s.kind == TouchingShape::Kind::ball ? 0.0 : s.bound);
     const double w = f.v_S_I.norm() + (std::isfinite(arm) ? arm : 0.0) * f.Omega_I.norm();
-    // Where nothing moves yet, all is what forces add to velocities, of any body.
-    reach_[i] = (fastest > 0.0 ? std::min(tau * w, all) : 0.5 * all) +
-                std::max(restReach(s), few ? shapes_->early(i) : 0.0);
+    // Where nothing moves yet, all is what forces add to velocities, of any body. For an endless
+    // reach, τ is endless: a shape that rests still moves by nothing.
+    const double moves = w > 0.0 ? std::min(tau * w, all) : 0.0;
+    reach_[i] =
+        (fastest > 0.0 ? moves : 0.5 * all) + std::max(restReach(s), few ? shapes_->early(i) : 0.0);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <dynamy_elements/contacts/kernels/grain.hpp>
+#include <dynamy/system/shape_pair.hpp>
 #include <dynamy_elements/contacts/search/pair_rules.hpp>
 #include <set>
 #include <tuple>
@@ -55,23 +56,55 @@ bool isAcross(const TouchingShape& at) {
   return at.kind == RuleTouch::none && (type == ShapeType::bore || type == ShapeType::circle);
 }
 
+/// "a Box", "an Egg".
+std::string withArticle(const std::string& type) {
+  const bool vowel = !type.empty() && std::string_view("AEIOUaeiou").find(type[0]) != std::string::npos;
+  return (vowel ? "an " : "a ") + type;
+}
+
+/// "a Funnel touches balls and half spaces": what the family of a plug-in's shape names.
+std::string touchedBy(const Shape& s, const ShapeFamily& family) {
+  std::string out = withArticle(s.type()) + " touches ";
+  for (std::size_t i = 0; i < family.pairs.size(); ++i) {
+    const ShapeFamily* other = family.pairs[i].other;
+    if (i > 0) out += i + 1 < family.pairs.size() ? ", " : " and ";
+    out += other == &ShapeFamily::ball        ? "balls"
+           : other == &ShapeFamily::halfSpace ? "half spaces"
+                                              : "shapes of the family " + other->name;
+  }
+  return family.pairs.empty() ? out + "only what names it in a family of its own" : out;
+}
+
+/// What to do about a pair of which no plug-in, and no standard shape, has the contact.
+std::string otherShapes(const Shape& a, const Shape& b, bool thin, bool inSpace) {
+  std::string families;
+  for (const Shape* s : {&a, &b}) {
+    const ShapeFamily* family = s->ownContact().family;
+    if (family == nullptr || (s == &b && family == a.ownContact().family)) continue;
+    families += (families.empty() ? "" : ", ") + touchedBy(*s, *family);
+  }
+  if (!families.empty()) return families + (inSpace ? "" : ", as bodies in space");
+  if (thin)
+    return "points, lines and circles have no thickness and would pass through: take a small "
+           "Sphere or a Capsule";
+  return "use balls and half spaces with all, boxes, polyhedra, capsules, "
+         "cylinders, cones, tori, ellipsoids and smooth shapes with each other in space";
+}
+
 Diagnostic missingPair(const Shape& a, const Shape& b, const TouchingShape& A,
                        const TouchingShape& B, bool inSpace) {
   if (inSpace && (isEndless(a) || isEndless(b)))
     return pairFault(a, b, "a bore in space needs a length", "add length=\"…\" to <Bore>");
   if (!inSpace && (isAcross(A) || isAcross(B)))
     return pairFault(a, b,
-                     "contact of a " + a.type() + " with a " + b.type() +
+                     "contact of " + withArticle(a.type()) + " with " + withArticle(b.type()) +
                          " needs axes along the normal of the plane of motion",
                      "in the plane xz that is euler=\"{pi/2} 0 0\" of both shapes");
   return pairFault(
-      a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
-      std::string(
-          A.isThin() || B.isThin()
-              ? "points, lines and circles have no thickness and would pass through: take a small "
-                "Sphere or a Capsule"
-              : "use balls and half spaces with all, boxes, polyhedra, capsules, "
-                "cylinders, cones, tori, ellipsoids and smooth shapes with each other in space") +
+      a, b,
+      "contact of " + withArticle(a.type()) + " with " + withArticle(b.type()) +
+          " is not available",
+      otherShapes(a, b, A.isThin() || B.isThin(), inSpace) +
           " (all pairs: doc/shape_pairs.md), or <NoContact " + between(a, b) + "/>");
 }
 

@@ -306,10 +306,14 @@ void addFeatures(Features& f, const ShapeGeometry& g, TouchingShape& out) {
 }
 
 /// A shape whose plug-in computes its contacts, in space.
-void own(Features& f, const OwnContact& given, TouchingShape& out) {
+void own(Features& f, const Shape& shape, const OwnContact& given, TouchingShape& out) {
   if (!(given.bound > 0.0 && std::isfinite(given.bound) && given.thickness >= 0.0))
-    throw ModelError("the contact of a " + given.family->name + " needs its size",
-                     "ownContact() gives a bound above 0 and a thickness of at least 0");
+    throw ModelError(Diagnostic{
+        .place = shape.place(),
+        .element = shape.type() + (shape.name().empty() ? "" : " name=\"" + shape.name() + "\""),
+        .text = "ownContact() gives the bound " + numberText(given.bound) +
+                " m and the thickness " + numberText(given.thickness) + " m",
+        .hint = "contact needs a finite bound above 0 and a thickness of at least 0"});
   out.bound = given.bound, out.thickness = given.thickness;
   if (f.inSpace()) out.kind = ShapeTouch::own, out.family = given.family;
 }
@@ -367,7 +371,7 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
     return out;
   }
   if (const OwnContact given = shape.ownContact(); given.family) {
-    own(f, given, out);
+    own(f, shape, given, out);
     return out;
   }
   // Near shapes are found by it, also in space where a line or a polygon does not touch.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <dynamy/core/declared/attributes.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
@@ -12,6 +13,16 @@ namespace dynamy {
 namespace {
 
 constexpr double kPart = 0.75;  ///< shorter steps are parts, over the length of a step
+
+/// Refusal of a step after which t is not at its end; StepAttempt::fault() says more.
+constexpr std::string_view kOffClock = "it leaves t within the step, or beyond it";
+constexpr double kSameTime = 1e-6;  ///< part of a step that counts as the rounding of t
+
+/// True: the scheme, which takes given steps, has moved the time by another length than `dt`.
+bool isOffClock(const State& before, const State& x, double dt) {
+  const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * std::abs(x.t);
+  return !(std::abs(x.t - before.t - dt) <= kSameTime * dt + rounding);
+}
 
 bool isSet(const std::atomic<bool>* flag) {
   return flag != nullptr && flag->load(std::memory_order_relaxed);
@@ -75,8 +86,15 @@ bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop, St
   }
   // After a failed search a scheme lowers the effort for the rest of the attempt.
   if (searches && !cheaply) searches_.done(system_.limits.effort == Effort::full);
-  if (searches)
-    x_.t = report_.dt > 0.0 && std::lround(dt / report_.dt) > 1 ? before_.t + report_.dt : tEnd;
+  if (searches) {
+    const bool part = report_.dt > 0.0 && std::lround(dt / report_.dt) > 1;
+    if (!report_.resting && report_.refused.empty() && report_.solved.ok() &&
+        isOffClock(before_, x_, part ? report_.dt : dt)) {
+      report_.refused = kOffClock;
+      return true;
+    }
+    x_.t = part ? before_.t + report_.dt : tEnd;
+  }
   if (searches && model_.schemeIsDefault()) kept_.keep(system_, report_, before_, x_);
   project();
   system_.remember(x_);
@@ -95,6 +113,11 @@ void StepAttempt::project() {
 bool StepAttempt::sound() const { return report_.resting || isSound(system_, x_, report_); }
 
 std::string StepAttempt::fault() const {
+  if (report_.refused == kOffClock)
+    return "t = " + numberText(before_.t) + " s: <" + model_.scheme().type() +
+           "> moved the time by " + numberText(x_.t - before_.t) + " s in a step of " +
+           numberText(report_.dt) +
+           " s: each move() advances t, and those of a step sum to its length";
   std::string text = faultOf(model_, system_, x_, report_);
   if (!text.ends_with("is not finite") || !before_.q.allFinite() || !before_.u.allFinite())
     return text;

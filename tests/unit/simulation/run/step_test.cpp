@@ -232,6 +232,36 @@ TEST(Steps, AreTakenBackIfTheRunIsStoppedWithinThem) {
   EXPECT_DOUBLE_EQ(s.state().t, 0.15);
 }
 
+/// Advances the time by a given share of each step.
+class OffClock final : public OneStep {
+ public:
+  explicit OffClock(double share) : share_(share) {}
+  int order() const override { return 2; }
+  StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override {
+    const double end = x.t + share_ * dt;
+    StepReport r = inner_.step(s, solver, x, dt);
+    x.t = end;
+    return r;
+  }
+
+ private:
+  double share_;
+  MoreauMidpoint inner_;
+};
+
+TEST(Steps, OfASchemeThatMovesTheTimeByAnotherLengthAreRefused) {
+  for (const double share : {1.0, 0.5, 0.0, 1.5}) {
+    Model m = ballOnFloor(1.0, 0.5, 0.5, 0.3, 0.93, 0.05);
+    m.scheme(std::make_unique<OffClock>(share));
+    m.build();
+    Simulation s(m);
+    const RunReport& report = s.run();
+    EXPECT_EQ(report.ended == RunReport::Ended::finished, share == 1.0) << share;
+    const bool named = report.reason.find("> moved the time by ") != std::string::npos;
+    EXPECT_EQ(named, share != 1.0) << report.reason;
+  }
+}
+
 /// Solves short steps alone.
 class OnlyShort final : public OneStep {
  public:

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <dynamy/simulation/run/simulation.hpp>
 #include <dynamy/system/shape_pair.hpp>
+#include <dynamy/testing/check_element.hpp>
 #include <dynamy_elements/bodies/grains.hpp>
+#include <limits>
 
 #include "unit/elements/contacts/shape_models.hpp"
 
@@ -119,11 +121,108 @@ TEST(GivenPair, BouncesWithFixedStepsAndWithATolerance) {
   EXPECT_NEAR(hollow, 0.52, 1e-7);
 }
 
+/// A bowl on a still ground with one mistake.
+template <int mistake>
+class WrongBowl final : public Shape {
+ public:
+  static const ShapeFamily family;
+  static void declare(Attributes&) {}
+  explicit WrongBowl(const Parameters& x) : Shape(x) {}
+  OwnContact ownContact() const override { return {&family, 1.0, 0.1}; }
+  ShapeGeometry geometry() const override { return {ShapeType::sphere, {1.0}, {}, colour()}; }
+};
+
+template <int mistake>
+PairContact inWrongBowl(const ShapeAt& a, const ShapeAt& b, int) {
+  const Vec3 d = a.c - b.c, ddot = a.v() - b.v();
+  const double length = d.norm(), rho = (mistake == 3 ? 1.5 : 1.0) * a.radius;
+  PairContact out;
+  out.g = 1.0 - a.radius - length;
+  out.n = (mistake == 1 ? -1.0 : mistake == 2 ? 1.1 : 1.0) * d / length;
+  out.ndot = (ddot - d.dot(ddot) / d.squaredNorm() * d) / (mistake == 5 ? -length : length);
+  out.P = a.c + rho * d / length;
+  out.Pdot = a.v() + (mistake == 4 ? 0.0 : a.radius) * out.ndot;
+  return out;
+}
+
+template <int mistake>
+const ShapeFamily WrongBowl<mistake>::family{"Bowl", {{&ShapeFamily::ball, inWrongBowl<mistake>}}};
+
+template <int mistake>
+Verdict checkBowl() {
+  Model m;
+  addBody<Ground, WrongBowl<mistake>>(m, "world", {}, "Bowl", {{"material", "steel"}});
+  addBody<RigidBody, Sphere>(m, "ball",
+                             {{"position", {0.1, 0.2, -0.3}},
+                              {"velocity", {0.3, 0.9, -1.0}},
+                              {"angularVelocity", {3.0, 4.0, 5.0}}},
+                             "Sphere", {{"radius", 0.1}, {"mass", 1.0}, {"material", "steel"}});
+  addRule(m, "steel steel");
+  built(m);
+  return checkModel(m);
+}
+
+TEST(GivenPair, ChecksAllEntriesAlsoOnAStillGround) {
+  const Verdict right = checkBowl<0>();
+  EXPECT_TRUE(right) << right;
+  EXPECT_TRUE(right.uncompared().empty()) << right.uncompared()[0];
+  for (const Verdict& wrong :
+       {checkBowl<1>(), checkBowl<2>(), checkBowl<3>(), checkBowl<4>(), checkBowl<5>()}) {
+    EXPECT_FALSE(wrong);
+    EXPECT_EQ(wrong.message().find("ball-world: "), 0u) << wrong;  // names the pair
+  }
+}
+
 TEST(GivenPair, KeepsAFastBallInside) {
   // In a step of 10 ms the ball moves 2 m, through a wall of 0.02 m.
   const auto [ball, hollow] = heights(-200.0, 0.05, 1e-2, 0.0);
   // Its middle is at most 0.4 m from that of the hollow, and a tenth of the wall.
   EXPECT_LT(std::abs(ball - hollow), 0.4 + 2e-3);
+}
+
+/// A shape whose ownContact() is given.
+class Sized final : public Shape {
+ public:
+  static const ShapeFamily family;
+  static void declare(Attributes& a) { a.required("bound", Unit::length, "of its ball"); }
+  explicit Sized(const Parameters& x) : Shape(x), bound_(x["bound"]) {}
+  OwnContact ownContact() const override { return {&family, bound_, 0.1}; }
+  ShapeGeometry geometry() const override { return {ShapeType::sphere, {1.0}, {}, colour()}; }
+
+ private:
+  double bound_;
+};
+const ShapeFamily Sized::family{"Sized", {{&ShapeFamily::ball, onHalfSpace}}};
+
+template <class Other>
+std::string refusalBeside(double bound, const std::string& type, const Given& other) {
+  Model m;
+  addBody<Ground, Sized>(m, "world", {}, "Egg", {{"bound", bound}, {"material", "steel"}});
+  addBody<RigidBody, Other>(m, "body", kHeavy, type, other);
+  addRule(m, "steel steel");
+  try {
+    built(m);
+  } catch (const ModelError& e) {
+    return e.what();
+  }
+  return {};
+}
+
+TEST(GivenPair, RefusalsNameTheSizeAndWhatTheFamilyTouches) {
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const Given ball{{"radius", 0.1}, {"material", "steel"}};
+  const std::string endless =
+      refusalBeside<Sphere>(std::numeric_limits<double>::infinity(), "Sphere", ball);
+  EXPECT_TRUE(has(endless, "<Egg>: ownContact() gives the bound inf m")) << endless;
+  EXPECT_TRUE(has(endless, "a finite bound above 0")) << endless;
+  EXPECT_EQ(refusalBeside<Sphere>(1.0, "Sphere", ball), "");
+  const std::string box =
+      refusalBeside<Box>(1.0, "Box", {{"size", {1.0, 1.0, 1.0}}, {"material", "steel"}});
+  EXPECT_TRUE(has(box, "a Box") && has(box, "an Egg") && has(box, "is not available")) << box;
+  EXPECT_TRUE(has(box, "an Egg touches balls")) << box;
+  EXPECT_FALSE(has(box, "with all")) << box;
 }
 
 TEST(GivenPair, IsRefusedInAPlaneAndForManySizes) {

@@ -138,6 +138,58 @@ TEST(SmoothShape, BoundsAndWidthHoldIt) {
   EXPECT_NEAR(e.halfWidth, 0.15, 1e-15);  // along an axis
 }
 
+/// An egg about z: h = (b + (a − b) c² + k c³) |d|, c the cosine between d and z. The radii of
+/// curvature at its ends ±z are 2b − a ∓ 2k; those of `turned` lie along (1, 2, 2)/3.
+class Egg final : public SmoothShape {
+ public:
+  static void declare(Attributes& a) {
+    a.required("taper", Unit::length, "k");
+    a.optional("turned", Unit::none, 0.0, "1: about (1, 2, 2)");
+  }
+  explicit Egg(const Parameters& x)
+      : SmoothShape(x),
+        k_(x["taper"]),
+        axis_(x["turned"] > 0.0 ? Vec3(1.0, 2.0, 2.0) / 3.0 : Vec3(Vec3::UnitZ())) {}
+  Vec3 point(const Vec3& d) const override {
+    const double c = d.dot(axis_);
+    return round(c) * d + (2.0 * kE * c + 3.0 * k_ * c * c) * axis_;
+  }
+  Mat3 pointDerivative(const Vec3& d) const override {
+    const double c = d.dot(axis_);
+    const Vec3 t = axis_ - c * d;
+    return round(c) * (Mat3::Identity() - d * d.transpose()) +
+           (2.0 * kE + 6.0 * k_ * c) * t * t.transpose();
+  }
+
+ private:
+  static constexpr double kB = 0.022, kE = 0.008;  // b, a − b with a = 30 mm
+  double round(double c) const { return kB - kE * c * c - 2.0 * k_ * c * c * c; }
+  double k_;
+  Vec3 axis_;
+};
+
+TEST(SmoothShape, RefusesAHollowAtAnEndOfAnAxisAndBetweenTheAxes) {
+  // The radius at the tip is 0.022 + … = 2b − a − 2k = 14 mm − 2k.
+  const auto said = [](double taper, double turned) -> std::string {
+    try {
+      Egg(Parameters::of<Egg>("Egg", "", {{"taper", taper}, {"turned", turned}}))
+          .requireConsistent();
+    } catch (const ModelError& e) {
+      return e.what();
+    }
+    return {};
+  };
+  for (const double turned : {0.0, 1.0}) {
+    EXPECT_EQ(said(0.00695, turned), "");  // 0.1 mm
+    for (const double taper : {0.00705, -0.00705, 0.009})
+      EXPECT_NE(said(taper, turned).find("the surface is hollow there"), std::string::npos)
+          << taper << ' ' << said(taper, turned);
+  }
+  EXPECT_NE(said(0.009, 0.0).find("d = 0 0 1: a radius of curvature is -0.004 m"),
+            std::string::npos)
+      << said(0.009, 0.0);
+}
+
 TEST(SmoothShape, TellsWhatDoesNotFit) {
   const auto said = [](const char* fault) -> std::string {
     try {
