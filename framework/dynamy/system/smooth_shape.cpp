@@ -104,7 +104,8 @@ Sharpest sharpest(const SmoothShape& s) {
   for (double angle = kBetween; angle > kAngle; angle *= 0.5) {
     const Vec3 d = out.d, e = d.unitOrthogonal(), f = d.cross(e);
     for (int i = 0; i < 8; ++i)
-      takeRadii(s, (d + angle * (std::cos(kPi * i / 4) * e + std::sin(kPi * i / 4) * f)).normalized(),
+      takeRadii(s,
+                (d + angle * (std::cos(kPi * i / 4) * e + std::sin(kPi * i / 4) * f)).normalized(),
                 out);
   }
   return out;
@@ -160,15 +161,17 @@ void SmoothShape::requireConsistent() const {
       all.push_back(direction(polar, azimuth));
       size = std::max(size, point(all.back()).norm());
     }
-  const auto fault = [&](const Vec3& d, const std::string& what, const char* hint =
-                             "point(d) is the point furthest along d, pointDerivative(d) how it turns") {
-    Diagnostic said;
-    said.place = place(), said.element = type();
-    said.text =
-        "d = " + numberText(d[0]) + ' ' + numberText(d[1]) + ' ' + numberText(d[2]) + ": " + what;
-    said.hint = hint;
-    throw ModelError(said);
-  };
+  const auto fault =
+      [&](const Vec3& d, const std::string& what,
+          const char* hint =
+              "point(d) is the point furthest along d, pointDerivative(d) how it turns") {
+        Diagnostic said;
+        said.place = place(), said.element = type();
+        said.text = "d = " + numberText(d[0]) + ' ' + numberText(d[1]) + ' ' + numberText(d[2]) +
+                    ": " + what;
+        said.hint = hint;
+        throw ModelError(said);
+      };
   for (const Vec3& d : all) {
     const Vec3 x = point(d);
     const Mat3 H = pointDerivative(d);
@@ -188,9 +191,10 @@ void SmoothShape::requireConsistent() const {
   const Sharpest least = sharpest(*this);
   // Corners have the radius 0, up to rounding.
   if (!(least.radius >= -kHollow * size))
-    fault(least.d,
-          "a radius of curvature is " + numberText(least.radius) + " m: the surface is hollow there",
-          "a SmoothShape is convex: pointDerivative(d) has no eigenvalue below 0");
+    fault(
+        least.d,
+        "a radius of curvature is " + numberText(least.radius) + " m: the surface is hollow there",
+        "a SmoothShape is convex: pointDerivative(d) has no eigenvalue below 0");
 }
 
 }  // namespace dynamy
