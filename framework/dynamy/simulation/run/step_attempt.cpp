@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <dynamy/core/declared/attributes.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/simulation/run/checkpoints.hpp>
 #include <dynamy/simulation/run/run_faults.hpp>
 #include <dynamy/simulation/run/step_attempt.hpp>
+#include <limits>
 #include <utility>
 
 namespace dynamy {
