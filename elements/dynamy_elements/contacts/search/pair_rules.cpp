@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <dynamy_elements/contacts/kernels/grain.hpp>
 #include <dynamy/system/shape_pair.hpp>
+#include <dynamy_elements/contacts/kernels/grain.hpp>
 #include <dynamy_elements/contacts/search/pair_rules.hpp>
 #include <set>
 #include <tuple>
@@ -58,7 +58,8 @@ bool isAcross(const TouchingShape& at) {
 
 /// "a Box", "an Egg".
 std::string withArticle(const std::string& type) {
-  const bool vowel = !type.empty() && std::string_view("AEIOUaeiou").find(type[0]) != std::string::npos;
+  const bool vowel =
+      !type.empty() && std::string_view("AEIOUaeiou").find(type[0]) != std::string::npos;
   return (vowel ? "an " : "a ") + type;
 }
 
@@ -100,12 +101,11 @@ Diagnostic missingPair(const Shape& a, const Shape& b, const TouchingShape& A,
                      "contact of " + withArticle(a.type()) + " with " + withArticle(b.type()) +
                          " needs axes along the normal of the plane of motion",
                      "in the plane xz that is euler=\"{pi/2} 0 0\" of both shapes");
-  return pairFault(
-      a, b,
-      "contact of " + withArticle(a.type()) + " with " + withArticle(b.type()) +
-          " is not available",
-      otherShapes(a, b, A.isThin() || B.isThin(), inSpace) +
-          " (all pairs: doc/shape_pairs.md), or <NoContact " + between(a, b) + "/>");
+  return pairFault(a, b,
+                   "contact of " + withArticle(a.type()) + " with " + withArticle(b.type()) +
+                       " is not available",
+                   otherShapes(a, b, A.isThin() || B.isThin(), inSpace) +
+                       " (all pairs: doc/shape_pairs.md), or <NoContact " + between(a, b) + "/>");
 }
 
 /// A torus whose tube has no radius has no inside: the other shape needs one whose gap has a sign.
