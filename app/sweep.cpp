@@ -62,9 +62,10 @@ Sweep asked(const SweepTexts& t) {
     all.push_back(readVariation(name, values, "--set"));
   for (const Variation& v : all)
     if (!v.doubt.empty() && !t.quiet) fmt::print(stderr, "dynamy: {}\n", v.doubt);
-  for (const auto& [name, list] :
-       {std::pair("--step", &t.step), {"--tolerance", &t.tolerance}, {"--integrator", &t.integrator},
-        {"--solver", &t.solver}})
+  for (const auto& [name, list] : {std::pair("--step", &t.step),
+                                   {"--tolerance", &t.tolerance},
+                                   {"--integrator", &t.integrator},
+                                   {"--solver", &t.solver}})
     if (!list->empty()) all.push_back(readVariation(name, joined(*list), name));
   for (const Variation& v : all)
     if (v.fixed()) choose(s.choice, v.name, v.values[0]);

@@ -33,7 +33,8 @@ NearestRoadPoint::NearestRoadPoint(const Vec3& centre, const Vec3& axle, double 
       height_(std::move(height)),
       middle_(centre.head<2>()) {
   const Eigen::Vector2d across(axle.y(), -axle.x());
-  heading_ = across.norm() > kOnItsSide ? Eigen::Vector2d(across.normalized()) : Eigen::Vector2d(1.0, 0.0);
+  heading_ =
+      across.norm() > kOnItsSide ? Eigen::Vector2d(across.normalized()) : Eigen::Vector2d(1.0, 0.0);
 }
 
 Vec3 NearestRoadPoint::crown(const Vec3& axle, double circle, const Vec3& n) {

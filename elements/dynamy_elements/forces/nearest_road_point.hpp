@@ -19,8 +19,8 @@ class NearestRoadPoint {
     double z = 0.0, zx = 0.0, zy = 0.0;  ///< h and its slopes
   };
   struct Point {
-    Vec3 n, r;           ///< normal of the road, upwards, and the point
-    double gap = 0.0;    ///< n·(r_c − r) − tube [m]
+    Vec3 n, r;         ///< normal of the road, upwards, and the point
+    double gap = 0.0;  ///< n·(r_c − r) − tube [m]
   };
   /// `height`: at (x, y). All in axes of the road. `circle`: R_c; `tube`: what stands out around it.
   NearestRoadPoint(const Vec3& centre, const Vec3& axle, double circle, double tube,

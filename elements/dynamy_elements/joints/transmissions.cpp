@@ -107,8 +107,8 @@ void Coupling::contacts(const Kinematics& k, ContactSink& sink) const {
 }
 
 void Coupling::describe(Description& d) const {
-  const bool turns = std::all_of(parts_.begin(), parts_.end(),
-                                 [](const Part& p) { return p.row.turns(); });
+  const bool turns =
+      std::all_of(parts_.begin(), parts_.end(), [](const Part& p) { return p.row.turns(); });
   describeContact(d, 0, 1, *law_, {}, turns ? kAllAngular : 0U);
 }
 

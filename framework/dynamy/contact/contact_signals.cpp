@@ -82,9 +82,11 @@ bool angular(const SetValuedForceLaw& law, int row) {
 }  // namespace
 
 void describeContact(Description& d, const ContactNumbers& id, int geometric,
-                     const SetValuedForceLaw& law, const std::string& prefix, AngularRows ofAngles) {
+                     const SetValuedForceLaw& law, const std::string& prefix,
+                     AngularRows ofAngles) {
   const int dim = law.dim(geometric);
-  d.signal(prefix + "g", (ofAngles & 1U) != 0 ? Unit::angle : Unit::length, "gap", [id](const SignalView& v) { return gap(v, id); });
+  d.signal(prefix + "g", (ofAngles & 1U) != 0 ? Unit::angle : Unit::length, "gap",
+           [id](const SignalView& v) { return gap(v, id); });
   d.signal(prefix + "status", Unit::none,
            "0 open, 1 separating, 2 stick, 3 slip, 4 lower, 5 upper, 6 locked",
            [id](const SignalView& v) { return statusNumber(v, id); });

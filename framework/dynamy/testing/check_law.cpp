@@ -247,8 +247,9 @@ void LawCheck::checkSimpleSet() {
   const Rows equal = Rows::Constant(dim_, r_[0]);
   const Rows p = prox(equal, z_), expected = ofSimpleSet(set, z_);
   if (!((p - expected).norm() <= kProjection * scale_))
-    fault(fmt::format("simpleSet and prox are two laws: of {} the set gives {}, prox {} (gammaA = {})",
-                      text(z_), text(expected), text(p), text(gammaA_)));
+    fault(fmt::format(
+        "simpleSet and prox are two laws: of {} the set gives {}, prox {} (gammaA = {})", text(z_),
+        text(expected), text(p), text(gammaA_)));
 }
 
 /// The set of twice the scale is twice the set; of a unilateral law the normal force is not scaled.

@@ -60,7 +60,8 @@ ContactNumbers numbers(const TouchingPair& pair, std::uint64_t f) {
 
 /// Adds the signals of two shapes with several contacts: the least gap, and normal forces and percussions
 /// of all contacts between them.
-void describePair(Description& d, std::uint64_t first, std::uint64_t end, const std::string& prefix) {
+void describePair(Description& d, std::uint64_t first, std::uint64_t end,
+                  const std::string& prefix) {
   const auto sum = [first, end](const SignalView& v, const ContactSet& c, const ConstVec& Lambda) {
     double out = 0.0;
     for (int i = 0; i < c.size() && Lambda.size() == c.rows(); ++i) {

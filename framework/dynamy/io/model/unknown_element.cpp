@@ -36,6 +36,18 @@ std::string usableHint(const std::string& hint, const std::vector<std::string>& 
   return section.empty() ? hint : hint + "; put it into <" + section + '>';
 }
 
+/// "<set> stands inside of <include>": where a word of the model file that is right in itself belongs; "":
+/// it is none, or belongs here.
+std::string placeOfWord(std::string_view tag, const std::vector<std::string>& allowed,
+                        const Vocabulary& vocabulary) {
+  std::string parents;
+  for (const Word& word : vocabulary.words())
+    if (std::find(word.children.begin(), word.children.end(), tag) != word.children.end())
+      parents += (parents.empty() ? "<" : ", <") + word.name + '>';
+  if (parents.empty() || std::find(allowed.begin(), allowed.end(), tag) != allowed.end()) return {};
+  return '<' + std::string(tag) + "> stands inside of " + parents;
+}
+
 }  // namespace
 
 std::string rightPlace(const RegisteredType& type, const Registry& registry) {
@@ -66,6 +78,7 @@ std::string meantElement(std::string_view tag, const std::vector<std::string>& a
   all = types;
   for (const Word& word : vocabulary.words()) all.push_back(word.name);
 
+  if (const std::string place = placeOfWord(tag, allowed, vocabulary); !place.empty()) return place;
   std::string near;
   for (const std::string& word : {std::string(tag), withoutKind(tag)}) {
     if (near.empty()) near = sameInOtherCase(word, allowed);

@@ -58,8 +58,7 @@ double StartingSlips::require(const Held& h, std::size_t i, const HeldRows& rows
     y[n] = z[n] = lambda[first + n] - r[n] * gammaDot;
   }
   if (reservoir)
-    set.set->project({rows.dim(i), 1.0, rows.gamma().data() + row0}, lambda[row0], r, k,
-                     y);
+    set.set->project({rows.dim(i), 1.0, rows.gamma().data() + row0}, lambda[row0], r, k, y);
   for (int n = 0; n < k; ++n) y[n] = reservoir ? (y[n] - z[n]) / r[n] : -z[n];
   const double length = set.speed(k, y);
   double change = 0.0;

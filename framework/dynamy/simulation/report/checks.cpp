@@ -151,7 +151,8 @@ void Checks::feedStart(double t, const StepView* first) {
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
     const CheckSettings& c = measurements_[i].settings();
     const bool wanted = c.measure == Measure::value ? c.at <= t : c.from <= t;
-    if (wanted && sampler_.readsForces(i) == (first != nullptr)) measurements_[i].add(t, values_[i]);
+    if (wanted && sampler_.readsForces(i) == (first != nullptr))
+      measurements_[i].add(t, values_[i]);
   }
 }
 

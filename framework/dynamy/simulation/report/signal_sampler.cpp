@@ -38,8 +38,10 @@ Diagnostic unknownSignal(const Model& model, const std::string& name, const Plac
   d.text = "no signal named \"" + name + "\"";
   d.hint = unknownNameHint(name, known);
   if (isOfContact(name) && name.find('-') != std::string::npos)
-    d.hint += "; contacts of two shapes have signals A-B.lambda_N, and A-B.FEATURE.lambda_N for each "
-              "place, where at most 64 pairs of shapes can touch; the sum on a <Ground> is its Fx, Fy, Fz";
+    d.hint +=
+        "; contacts of two shapes have signals A-B.lambda_N, and A-B.FEATURE.lambda_N for each "
+        "place, where at most 64 pairs of shapes can touch; the sum on a <Ground> is its Fx, Fy, "
+        "Fz";
   return d;
 }
 
@@ -93,7 +95,8 @@ SignalSampler::SignalSampler(const Model& model, std::vector<const NamedSignal*>
 /// Forces of contacts and joints, which are no signals of the state, and their statuses.
 bool SignalSampler::isOfForces(const NamedSignal& s) {
   if (s.contact < 0 || s.signal.ofState) return false;
-  return s.signal.unit == Unit::force || s.signal.unit == Unit::torque || s.name.ends_with("status");
+  return s.signal.unit == Unit::force || s.signal.unit == Unit::torque ||
+         s.name.ends_with("status");
 }
 
 void SignalSampler::sampleForces(const StepView& first, std::span<double> out) {

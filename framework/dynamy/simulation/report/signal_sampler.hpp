@@ -48,7 +48,7 @@ class SignalSampler {
   ContactInstant instant_;
   bool ofContacts_ = false;  // some signal belongs to a contact
   bool readsForces_ = false;
-  bool known_ = false;       // instant_ holds the contacts at at_
+  bool known_ = false;  // instant_ holds the contacts at at_
 };
 
 }  // namespace dynamy

@@ -45,7 +45,8 @@ TEST(PercussionSum, IsTheMomentumThatOneBallGivesAnother) {
   for (const double gap : {0.3, 0.0})
     for (const double epsilon : {0.0, 1.0})
       for (const char* simulation :
-           {R"(tolerance="1e-8"/>)", R"(tolerance="1e-8"><LocatedDormandPrince clocks="one"/></simulation>)",
+           {R"(tolerance="1e-8"/>)",
+            R"(tolerance="1e-8"><LocatedDormandPrince clocks="one"/></simulation>)",
             R"(tolerance="1e-8"><LocatedGragg/></simulation>)", R"(step="1e-3"/>)"})
         EXPECT_NEAR(percussions(twoBalls(gap, epsilon, simulation)), 0.5 * (1.0 + epsilon), 1e-12)
             << gap << ' ' << epsilon << ' ' << simulation;
@@ -57,8 +58,9 @@ TEST(PercussionSum, HoldsThoseOfBallsThatTheImpactPassesThrough) {
   std::string text = R"(<dynamy version="1"><systems><Ground name="wall">
     <HalfSpace position="0.6 0 0" euler="0 -90deg 0" material="w"/></Ground>)";
   for (int i = 0; i < 5; ++i)
-    text += "<PointMass name=\"b" + std::to_string(i) + "\" position=\"" + numberText(0.1 * i - (i == 0 ? 0.1 : 0.0)) +
-            R"( 0 0" velocity=")" + (i == 0 ? "1" : "0") +
+    text += "<PointMass name=\"b" + std::to_string(i) + "\" position=\"" +
+            numberText(0.1 * i - (i == 0 ? 0.1 : 0.0)) + R"( 0 0" velocity=")" +
+            (i == 0 ? "1" : "0") +
             R"( 0 0" mass="2"><Sphere radius="0.05" material="s"/></PointMass>)";
   text += R"(</systems><elements><Contact between="s s"><Unilateral epsilonN="1"/></Contact>
     <Contact between="s w"><Unilateral epsilonN="1"/></Contact></elements>

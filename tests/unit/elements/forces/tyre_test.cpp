@@ -199,8 +199,8 @@ TEST(Tyre, MeetsAnEdgeThatIsSharperThanTheWheelWhereItIsNearest) {
       double least = 10.0;
       for (int i = -200000; i <= 200000; ++i)
         least = std::min(least, std::hypot(5e-6 * i - x, z(5e-6 * i) - height));
-      const std::string wheel = R"(euler="-90deg 0 0" position=")" + numberText(x) + " 0 " +
-                                numberText(height) + "\"";
+      const std::string wheel =
+          R"(euler="-90deg 0 0" position=")" + numberText(x) + " 0 " + numberText(height) + "\"";
       const double deflection = deflectionOn(formula, wheel, "0.1");
       if (least < R)
         EXPECT_NEAR(deflection, R - least, 4e-8) << formula << " at " << x;
