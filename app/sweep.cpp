@@ -26,7 +26,11 @@ namespace {
 struct SweepTexts {
   std::string what, until, table, out, rows, emit, accept;
   Accepted accepted;
-  std::vector<std::string> set, step, tolerance, integrator, solver, measures;
+  std::vector<std::string> set, measures;
+  /// Of runs; each may vary.
+  struct Methods {
+    std::vector<std::string> step, tolerance, integrator, solver;
+  } methods;
   int samples = 0, jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::uint64_t seed = 1;
   bool keep = false, restart = false, collect = false, quiet = false;
@@ -62,10 +66,10 @@ Sweep asked(const SweepTexts& t) {
     all.push_back(readVariation(name, values, "--set"));
   for (const Variation& v : all)
     if (!v.doubt.empty() && !t.quiet) fmt::print(stderr, "dynamy: {}\n", v.doubt);
-  for (const auto& [name, list] : {std::pair("--step", &t.step),
-                                   {"--tolerance", &t.tolerance},
-                                   {"--integrator", &t.integrator},
-                                   {"--solver", &t.solver}})
+  for (const auto& [name, list] : {std::pair("--step", &t.methods.step),
+                                   {"--tolerance", &t.methods.tolerance},
+                                   {"--integrator", &t.methods.integrator},
+                                   {"--solver", &t.methods.solver}})
     if (!list->empty()) all.push_back(readVariation(name, joined(*list), name));
   for (const Variation& v : all)
     if (v.fixed()) choose(s.choice, v.name, v.values[0]);
@@ -237,11 +241,12 @@ void addSweep(CLI::App& app, Program& program) {
                 "what is kept of a run: [value|mean|min|max|period|count] SIGNAL[@TIME|@FROM..TO]; "
                 "default: the model's checks, else the recorded signals at the end")
       ->type_name("TEXT");
-  c->add_option("--step", t->step, "step lengths, may vary like a parameter")->type_name("TIMES");
-  c->add_option("--tolerance", t->tolerance, "tolerances of the runs, may vary")
+  c->add_option("--step", t->methods.step, "step lengths, may vary like a parameter")
+      ->type_name("TIMES");
+  c->add_option("--tolerance", t->methods.tolerance, "tolerances of the runs, may vary")
       ->type_name("NUMBERS");
-  c->add_option("--integrator", t->integrator, "schemes, may vary")->type_name("SCHEMES");
-  c->add_option("--solver", t->solver, "inclusion solvers, may vary")->type_name("SOLVER");
+  c->add_option("--integrator", t->methods.integrator, "schemes, may vary")->type_name("SCHEMES");
+  c->add_option("--solver", t->methods.solver, "inclusion solvers, may vary")->type_name("SOLVER");
   c->add_option("--until", t->until, "end time")->type_name("TIME");
   c->add_option("-j,--jobs", t->jobs, "runs at once")->capture_default_str()->check(wholeNumber(1));
   c->add_option("--out", t->out, "folder of the sweep; default: sweeps/MODEL")

@@ -107,7 +107,6 @@ TEST_F(TypicalErrors, OfCallsNameCauseAndRemedy) {
       {"runn m.xml", 64, "\"runn\"", "\"run\""},
       {"m.xml", 64, "no command \"m.xml\"", "dynamy run m.xml"},
       {"simulate m.xml", 64, "\"simulate\"", "\"run\""},
-      {"help runn", 64, "\"runn\"", "\"run\""},
       {"run", 64, "needs MODEL", "XML file"},
       {"run m", 2, "m: error: there is no such file", "\"m.xml\""},
       {"run folder", 2, "folder: error: this is a folder", "folder/model.xml"},

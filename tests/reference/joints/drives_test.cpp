@@ -301,7 +301,7 @@ TEST(PdController, WithHighGainsIsTakenImplicitly) {
 TEST(PdController, IsCutOffAtItsLimit) {
   Scene s("pd",
           {.text = jointScene(wheel("a", 0.5),
-                              "<PdController between=\"world a\" target=\"100\" stiffness=\"50\" "
+                              "<PdController between=\"world a\" target=\"100rad\" stiffness=\"50\" "
                               "limit=\"2\"/>",
                               bearing("a"))});
   run(s, 1.0, 1e-2);

@@ -89,16 +89,16 @@ class Ledger final : public RecordSink {
   std::vector<LedgerRow> rows;
 };
 
-/// A ball that falls 1 m onto a floor at t = √0.2 s, ε = 1/2, or slides on it from 2 m/s with μ = 1/2.
-constexpr const char* kBall = R"(<dynamy version="1">
+/// A box that falls 1 m onto a floor at t = √0.2 s, ε = 1/2, or slides on it from 2 m/s with μ = 1/2.
+constexpr const char* kBoxOnFloor = R"(<dynamy version="1">
   <systems><RigidBody name="ball" position="0 0 {z}" velocity="{v} 0 0"><Box size="0.2 0.2 0.2" mass="1" material="a"/></RigidBody>
     <Ground name="world"><HalfSpace name="floor" normal="0 0 1" material="b"/></Ground></systems>
   <forces><Gravity acceleration="0 0 -10"/></forces>
   <elements><Contact between="a b"><UnilateralCoulomb epsilonN="0.5" mu="0.5"/></Contact></elements>
   <simulation until="0.6" tolerance="1e-6" coordinates="absolute"/></dynamy>)";
 
-std::string ball(const std::string& z, const std::string& v) {
-  std::string text = kBall;
+std::string boxOnFloor(const std::string& z, const std::string& v) {
+  std::string text = kBoxOnFloor;
   text.replace(text.find("{z}"), 3, z);
   return text.replace(text.find("{v}"), 3, v);
 }
@@ -121,7 +121,7 @@ void expectSums(const std::vector<LedgerRow>& rows) {
 }
 
 TEST(LedgerRows, OfALocatedImpactStandOnBothSidesOfIt) {
-  const std::vector<LedgerRow> rows = ledgerOf(ball("1.1", "0"));
+  const std::vector<LedgerRow> rows = ledgerOf(boxOnFloor("1.1", "0"));
   EXPECT_GT(rows.size(), 400u);
   expectSums(rows);
   const auto at = std::adjacent_find(rows.begin(), rows.end(),
@@ -138,7 +138,7 @@ TEST(LedgerRows, OfALocatedImpactStandOnBothSidesOfIt) {
 }
 
 TEST(LedgerRows, WithinALocatedStepHaveTheWorkOfFriction) {
-  const std::vector<LedgerRow> rows = ledgerOf(ball("0.1", "2"));
+  const std::vector<LedgerRow> rows = ledgerOf(boxOnFloor("0.1", "2"));
   EXPECT_GE(rows.size(), 400u);
   expectSums(rows);
   // It slides with 5 m/s² for 0.4 s: the work of friction is ½ v² − ½ v0², at every instant.

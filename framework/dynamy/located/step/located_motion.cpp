@@ -224,23 +224,7 @@ Refusal LocatedMotion::finish(LocatedStep& step, const Trial& trial, const Bound
 
 void LocatedMotion::report(MechanicalSystem& s, State& x, StepReport& report) {
   if (report.dt > 0.0) report.uBeforeImpact = record_.uBeforeImpact(to_.x.t);
-  withStruck(s, x);
   record_.report(s, parts_.motion.phase, x, report);
-}
-
-/// Evaluates slot 0 again, with contacts that had a percussion in the step and have opened since.
-void LocatedMotion::withStruck(MechanicalSystem& s, const State& x) {
-  record_.struck(struck_);
-  const std::vector<ContactKey>& there = s.slot(0).contacts.key;
-  const bool all = std::all_of(struck_.begin(), struck_.end(), [&](ContactKey key) {
-    return std::find(there.begin(), there.end(), key) != there.end();
-  });
-  if (all) return;
-  const PhaseRequest& request = parts_.motion.phase.request;
-  struck_.insert(struck_.end(), request.keys.begin(), request.keys.end());
-  std::sort(struck_.begin(), struck_.end());
-  struck_.erase(std::unique(struck_.begin(), struck_.end()), struck_.end());
-  s.evaluate(x, request.holding(struck_, 0));
 }
 
 bool LocatedMotion::interpolate(const MechanicalSystem& s, const State& a, const State& b,

@@ -62,7 +62,6 @@ class LocatedMotion {
   ContactKey lastSwitched() const { return lastSwitched_; }
 
  private:
-  void withStruck(MechanicalSystem& s, const State& x);
   Refusal enter(LocatedStep& step, const State& x, const Start& start);
   Refusal begin(LocatedStep& step, const State& x, bool scaled);
   Refusal restore(LocatedStep& step, const State& x, const HeldState& held);
@@ -86,7 +85,6 @@ class LocatedMotion {
   PhaseProjection projection_{parts_};
   LastStep last_;
   StepRecord record_;
-  std::vector<ContactKey> struck_;  // contacts with a percussion in the step
   PhasePoint from_, to_;
   std::vector<Held> startHeld_;
   MechanicalSystem* system_ = nullptr;  // of the last step; null: nothing is prepared

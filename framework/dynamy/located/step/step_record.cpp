@@ -46,13 +46,21 @@ void StepRecord::event(const SwitchEvent& event, const FrozenPhase& phase, doubl
   addWorks(event.impact().works());
 }
 
-void StepRecord::struck(std::vector<ContactKey>& out) const {
-  out.clear();
+/// Evaluates slot 0 again, with contacts that had a percussion in the step and have opened since.
+void StepRecord::withStruck(MechanicalSystem& s, const PhaseRequest& request, const State& x) {
+  const std::vector<ContactKey>& there = s.slot(0).contacts.key;
+  struck_.clear();
   for (const Percussion& q : percussions_)
     if (std::any_of(q.Lambda.begin(), q.Lambda.begin() + q.dim, [](double v) { return v != 0.0; }))
-      out.push_back(q.key);
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+      struck_.push_back(q.key);
+  if (std::all_of(struck_.begin(), struck_.end(), [&](ContactKey key) {
+        return std::find(there.begin(), there.end(), key) != there.end();
+      }))
+    return;
+  struck_.insert(struck_.end(), request.keys.begin(), request.keys.end());
+  std::sort(struck_.begin(), struck_.end());
+  struck_.erase(std::unique(struck_.begin(), struck_.end()), struck_.end());
+  s.evaluate(x, request.holding(struck_, 0));
 }
 
 void clearPercussions(ImpactProblem& p, const State& x) {
@@ -68,6 +76,7 @@ void clearPercussions(ImpactProblem& p, const State& x) {
 
 void StepRecord::report(MechanicalSystem& s, const FrozenPhase& phase, State& x,
                         StepReport& report) {
+  withStruck(s, phase.request, x);
   ImpactProblem& p = s.impactProblem(x, report.dt);
   const ContactSet& c = *p.contacts;
   clearPercussions(p, x);

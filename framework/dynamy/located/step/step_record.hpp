@@ -35,8 +35,6 @@ class StepRecord {
   const Eigen::VectorXd* uBeforeImpact(double t) const {
     return tImpact_ == t ? &uBefore_ : nullptr;
   }
-  /// Contacts with a percussion in the step, ascending.
-  void struck(std::vector<ContactKey>& out) const;
   /// Writes impulses, statuses, impacts and works into the report of a step that ended at x.
   void report(MechanicalSystem& s, const FrozenPhase& phase, State& x, StepReport& report);
 
@@ -51,6 +49,7 @@ class StepRecord {
   }
 
  private:
+  void withStruck(MechanicalSystem& s, const PhaseRequest& request, const State& x);
   /// Rows of `impulse` that belong to one part of a contact.
   struct Part {
     ContactKey key;
@@ -60,6 +59,7 @@ class StepRecord {
   std::vector<Percussion> percussions_;
   std::vector<LocatedImpact> impacts_;
   std::vector<HeldStatus> statuses_;
+  std::vector<ContactKey> struck_;  // contacts with a percussion
   Eigen::VectorXd uBefore_;
   double tImpact_ = -1e300;  // of uBefore_ [s]
 };

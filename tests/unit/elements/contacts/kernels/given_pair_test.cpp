@@ -184,9 +184,11 @@ TEST(GivenPair, KeepsAFastBallInside) {
 class Sized final : public Shape {
  public:
   static const ShapeFamily family;
-  static void declare(Attributes& a) { a.required("bound", Unit::length, "of its ball"); }
+  static void declare(Attributes& a) { a.required("bound", Unit::length, "of its ball; 0: endless"); }
   explicit Sized(const Parameters& x) : Shape(x), bound_(x["bound"]) {}
-  OwnContact ownContact() const override { return {&family, bound_, 0.1}; }
+  OwnContact ownContact() const override {
+    return {&family, bound_ > 0.0 ? bound_ : std::numeric_limits<double>::infinity(), 0.1};
+  }
   ShapeGeometry geometry() const override { return {ShapeType::sphere, {1.0}, {}, colour()}; }
 
  private:
@@ -213,8 +215,7 @@ TEST(GivenPair, RefusalsNameTheSizeAndWhatTheFamilyTouches) {
     return text.find(part) != std::string::npos;
   };
   const Given ball{{"radius", 0.1}, {"material", "steel"}};
-  const std::string endless =
-      refusalBeside<Sphere>(std::numeric_limits<double>::infinity(), "Sphere", ball);
+  const std::string endless = refusalBeside<Sphere>(0.0, "Sphere", ball);
   EXPECT_TRUE(has(endless, "<Egg>: ownContact() gives the bound inf m")) << endless;
   EXPECT_TRUE(has(endless, "a finite bound above 0")) << endless;
   EXPECT_EQ(refusalBeside<Sphere>(1.0, "Sphere", ball), "");
