@@ -10,8 +10,6 @@ namespace {
 constexpr double kClearMargin = 1e-3;  ///< of the largest force
 constexpr double kOwnForce = 1e-3;     ///< of the largest force: least size of a contact's own
 constexpr int kMostSlipTurns = 200;    ///< iterations for the directions of slips that start
-/// Work of such an iteration per row, besides the decomposition, in the unit of `cubes`.
-constexpr double kTurnPerRow = 1000.0;
 
 }  // namespace
 
@@ -146,7 +144,6 @@ void FrozenPhase::startDirections(const Evaluation& e) {
   for (int turns = 0; turns < kMostSlipTurns; ++turns) {
     const bool turned = slips_.turn(held, rows_, forces_);
     if (!turned) return;
-    cubes += kTurnPerRow * rows_.size();
     forces_.solve(held, rows_, e, rows_.present());
   }
 }
