@@ -299,11 +299,11 @@ TEST(PdController, WithHighGainsIsTakenImplicitly) {
 }
 
 TEST(PdController, IsCutOffAtItsLimit) {
-  Scene s("pd",
-          {.text = jointScene(wheel("a", 0.5),
-                              "<PdController between=\"world a\" target=\"100rad\" stiffness=\"50\" "
-                              "limit=\"2\"/>",
-                              bearing("a"))});
+  Scene s("pd", {.text = jointScene(
+                     wheel("a", 0.5),
+                     "<PdController between=\"world a\" target=\"100rad\" stiffness=\"50\" "
+                     "limit=\"2\"/>",
+                     bearing("a"))});
   run(s, 1.0, 1e-2);
   EXPECT_NEAR(s.q("a")[2], 0.5 * 2.0 / 0.5, kExact);
 }

@@ -184,7 +184,9 @@ TEST(GivenPair, KeepsAFastBallInside) {
 class Sized final : public Shape {
  public:
   static const ShapeFamily family;
-  static void declare(Attributes& a) { a.required("bound", Unit::length, "of its ball; 0: endless"); }
+  static void declare(Attributes& a) {
+    a.required("bound", Unit::length, "of its ball; 0: endless");
+  }
   explicit Sized(const Parameters& x) : Shape(x), bound_(x["bound"]) {}
   OwnContact ownContact() const override {
     return {&family, bound_ > 0.0 ? bound_ : std::numeric_limits<double>::infinity(), 0.1};
