@@ -78,7 +78,7 @@ std::string meantElement(std::string_view tag, const std::vector<std::string>& a
   all = types;
   for (const Word& word : vocabulary.words()) all.push_back(word.name);
 
-  if (const std::string place = placeOfWord(tag, allowed, vocabulary); !place.empty()) return place;
+  if (std::string place = placeOfWord(tag, allowed, vocabulary); !place.empty()) return place;
   std::string near;
   for (const std::string& word : {std::string(tag), withoutKind(tag)}) {
     if (near.empty()) near = sameInOtherCase(word, allowed);

@@ -29,8 +29,9 @@ JointList jointsOf(const std::vector<std::unique_ptr<PartialMechanicalSystem>>& 
   for (const auto& contact : contacts) {
     KnownJoint found{contact.get(), {}};
     try {
-      if (contact->jointMotion(topology, found.motion))
-        out.add(nameOf(found.motion.systemA), nameOf(found.motion.systemB), std::move(found));
+      if (!contact->jointMotion(topology, found.motion)) continue;
+      const auto bodyA = nameOf(found.motion.systemA), bodyB = nameOf(found.motion.systemB);
+      out.add(bodyA, bodyB, std::move(found));
     } catch (const ModelError&) {
       continue;  // connect() reports it with all other faults
     }
