@@ -37,7 +37,7 @@ struct Answer {
   SolveReport report;
   VectorXd Lambda;
 };
-Answer solve(const InclusionProblem& p, const LemkeOptions& options = kAlone) {
+Answer solveByLemke(const InclusionProblem& p, const LemkeOptions& options = kAlone) {
   Answer a{{}, VectorXd::Zero(p.rows())};
   a.report = LemkeSolver(options).solve(p, view(a.Lambda));
   return a;
@@ -46,7 +46,7 @@ Answer solve(const InclusionProblem& p, const LemkeOptions& options = kAlone) {
 TEST(LemkeSolver, SolvesContactsWithoutFriction) {
   const Unilateral law;
   fixture::Inclusion x(fixture::symmetricRoot(MatrixXd{{2.0, -1.0}, {-1.0, 2.0}}), law);
-  const Answer a = solve(x.pose(VectorXd{{-2.0, 0.0}}));
+  const Answer a = solveByLemke(x.pose(VectorXd{{-2.0, 0.0}}));
   EXPECT_TRUE(a.report.ok());
   EXPECT_EQ(a.report.method, "Lemke");
   EXPECT_LE((a.Lambda - VectorXd{{4.0 / 3.0, 2.0 / 3.0}}).norm(), 1e-14);
@@ -57,7 +57,7 @@ TEST(LemkeSolver, SolvesPlanarFrictionInAllStates) {
   fixture::Inclusion x(std::vector<MatrixXd>{MatrixXd::Identity(2, 2)});
   x.contact(law, MatrixXd::Identity(2, 2));
   const auto Lambda = [&](double cN, double cT) {
-    const Answer a = solve(x.pose(VectorXd{{cN, cT}}));
+    const Answer a = solveByLemke(x.pose(VectorXd{{cN, cT}}));
     EXPECT_TRUE(a.report.ok());
     return a.Lambda;
   };
@@ -76,7 +76,7 @@ TEST(LemkeSolver, EliminatesJointsAndRedundantOnes) {
   x.contact(floor, MatrixXd{{1.0, 0.0}});
   x.contact(tie, MatrixXd{{1.0, -1.0}});
   x.contact(tie, MatrixXd{{1.0, -1.0}});
-  const Answer a = solve(x.pose(VectorXd{{-2.0, 0.0, 0.0}}));
+  const Answer a = solveByLemke(x.pose(VectorXd{{-2.0, 0.0, 0.0}}));
   EXPECT_TRUE(a.report.ok());
   EXPECT_NEAR(a.Lambda[0], 4.0, 1e-13);
   EXPECT_NEAR(a.Lambda[1] + a.Lambda[2], -2.0, 1e-13);
@@ -87,7 +87,7 @@ TEST(LemkeSolver, KeepsForceLimits) {
   const ForceLimits law(1.0, 3.0);
   fixture::Inclusion x(MatrixXd::Identity(1, 1), law);
   for (const auto& [c, expected] : {std::pair{-2.0, 2.0}, {-5.0, 3.0}, {4.0, 1.0}}) {
-    const Answer a = solve(x.pose(VectorXd{{c}}));
+    const Answer a = solveByLemke(x.pose(VectorXd{{c}}));
     EXPECT_TRUE(a.report.ok()) << c;
     EXPECT_NEAR(a.Lambda[0], expected, 1e-14);
   }
@@ -99,7 +99,7 @@ TEST(LemkeSolver, KeepsForceLimitsOfOneSide) {
   x.contact(below, MatrixXd{{1.0, 0.0, 0.0}});
   x.contact(above, MatrixXd{{0.0, 1.0, 0.0}});
   x.contact(given, MatrixXd{{0.0, 0.0, 1.0}});
-  const Answer a = solve(x.pose(VectorXd{{-5.0, -1.0, 9.0}}));
+  const Answer a = solveByLemke(x.pose(VectorXd{{-5.0, -1.0, 9.0}}));
   EXPECT_TRUE(a.report.ok());
   EXPECT_LE((a.Lambda - VectorXd{{3.0, 2.0, 2.0}}).norm(), 1e-14);
 }
@@ -108,7 +108,7 @@ TEST(LemkeSolver, SolvesGivenFrictionOfOneRow) {
   const GivenFriction law(2.0, 2.0);
   fixture::Inclusion x(MatrixXd::Identity(1, 1), law);
   for (const auto& [c, expected] : {std::pair{-0.1, 0.1}, {-5.0, 0.2}, {5.0, -0.2}}) {
-    const Answer a = solve(x.pose(VectorXd{{c}}, 0.1));  // a Δt = 0.2
+    const Answer a = solveByLemke(x.pose(VectorXd{{c}}, 0.1));  // a Δt = 0.2
     EXPECT_TRUE(a.report.ok()) << c;
     EXPECT_NEAR(a.Lambda[0], expected, 1e-15);
   }
@@ -122,12 +122,12 @@ TEST(LemkeSolver, SaysThatAPolygonIsNoDisc) {
   const double angle = std::numbers::pi / 12.0;
   const InclusionProblem& p =
       x.pose(VectorXd{{-1.0, 2.0 * std::cos(angle), 2.0 * std::sin(angle)}});
-  const Answer alone = solve(p);
+  const Answer alone = solveByLemke(p);
   EXPECT_EQ(alone.report.status, SolveStatus::stalled);
   EXPECT_EQ(alone.report.method, "Lemke, 8 facets");
   EXPECT_GT(alone.report.residuals.Eu, 0.01);
   EXPECT_LE((alone.Lambda - VectorXd{{1.0, -0.5, 0.0}}).norm(), 1e-14);
-  const Answer polished = solve(p, {});
+  const Answer polished = solveByLemke(p, {});
   EXPECT_TRUE(polished.report.ok());
   // 1e-10 of u_ref, G = I.
   EXPECT_LE(
@@ -139,8 +139,8 @@ TEST(LemkeSolver, SolvesTheDiscWhereItSticksOrHitsAVertex) {
   const UnilateralCoulomb law(0.0, 0.0, 0.5);
   fixture::Inclusion x(std::vector<MatrixXd>{MatrixXd::Identity(3, 3)});
   x.contact(law, MatrixXd::Identity(3, 3));
-  EXPECT_TRUE(solve(x.pose(VectorXd{{-1.0, 0.1, 0.2}})).report.ok());
-  EXPECT_TRUE(solve(x.pose(VectorXd{{-1.0, 0.0, 2.0}})).report.ok());
+  EXPECT_TRUE(solveByLemke(x.pose(VectorXd{{-1.0, 0.1, 0.2}})).report.ok());
+  EXPECT_TRUE(solveByLemke(x.pose(VectorXd{{-1.0, 0.0, 2.0}})).report.ok());
 }
 
 TEST(LemkeSolver, TurnsAPuckTowardsTheMiddleOfAnEdge) {
@@ -172,7 +172,7 @@ TEST(LemkeSolver, ProvesThatAProblemHasNoSolution) {
   for (int i = 0; i < 2; ++i) contacts.push_back({std::make_unique<Unilateral>(), 1});
   GivenProblem given(std::move(contacts), MatrixXd{{1.0, -1.0}, {-1.0, 1.0}}.sparseView(),
                      VectorXd{{-1.0, -1.0}});
-  const Answer a = solve(given.problem(), {});
+  const Answer a = solveByLemke(given.problem(), {});
   EXPECT_EQ(a.report.status, SolveStatus::stalled);
   EXPECT_EQ(a.report.method, "Lemke: there is no solution");
 }
@@ -188,7 +188,7 @@ TEST(LemkeSolver, GivesTheSameForBlockRowsAndDenseG) {
       contacts.push_back({std::make_unique<UnilateralCoulomb>(0.0, 0.0, 0.3), 2});
     GivenProblem given(std::move(contacts), G.sparseView(), c);
     EXPECT_EQ(given.problem().G->dense() != nullptr, n == 30);
-    const Answer a = solve(given.problem());
+    const Answer a = solveByLemke(given.problem());
     EXPECT_TRUE(a.report.ok()) << n;
   }
 }

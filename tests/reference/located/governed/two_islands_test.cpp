@@ -108,7 +108,7 @@ class Island {
   bool started_ = false;
 };
 
-void run(Island& island) {
+void runIslands(Island& island) {
   while (island.t() < kUntil) ASSERT_NO_FATAL_FAILURE(island.step());
 }
 
@@ -117,7 +117,7 @@ TEST(TwoIslands, TakeTurnsAndKeepTheBitsOfRunsOfTheirOwn) {
   Island first(scene, 0), second(scene, 1), ball(same, 0), box(same, 1);
   while (first.t() < kUntil || second.t() < kUntil)
     ASSERT_NO_FATAL_FAILURE((first.t() <= second.t() ? first : second).step());
-  run(ball), run(box);
+  runIslands(ball), runIslands(box);
   // Four impacts of a ball from 1 m with 0.7 take 0.45 (1 + 2 (0.7 + 0.49 + 0.34)) = 1.8 s; a box
   // that tumbles has more.
   EXPECT_GE(first.impacts(), 4);
@@ -129,7 +129,7 @@ TEST(TwoIslands, TakeTurnsAndKeepTheBitsOfRunsOfTheirOwn) {
 TEST(TwoIslands, MoveAsInScenesWithoutTheOther) {
   IslandScene scene(kRubberBall + kWoodenBox), ballScene(kRubberBall), boxScene(kWoodenBox);
   Island first(scene, 0), second(scene, 1), ball(ballScene, 0), box(boxScene, 0);
-  run(first), run(second), run(ball), run(box);
+  runIslands(first), runIslands(second), runIslands(ball), runIslands(box);
   for (const auto& [island, alone] : {std::pair{&first, &ball}, {&second, &box}}) {
     // Not the bits: g_tol (1e-12 of the length of a scene, here about 1e-11 m) decides how far a
     // projection goes on, and impacts of a box that tumbles enlarge differences. In the first

@@ -36,7 +36,7 @@ TEST(LocatedJumping, ACanThatReboundsFromABoxIsLocated) {
   EXPECT_NEAR(first->t, std::sqrt(2.0 * fall / 9.81), 1e-7 / std::sqrt(2.0 * 9.81 * fall));
 }
 
-/// Two bodies of seven kinds that fly at each other; a fourth of them plastic.
+/// Two bodies of seven kinds that flyApart at each other; a fourth of them plastic.
 std::string thrown(unsigned seed) {
   std::mt19937 random(seed);
   const auto one = [&](double a, double b) {
@@ -90,7 +90,7 @@ struct Ends {
   std::vector<unsigned> elsewhere, endless;
 };
 
-Ends fly(unsigned first, unsigned last) {
+Ends flyApart(unsigned first, unsigned last) {
   Ends ends;
   for (unsigned seed = first; seed < last; ++seed) {
     const std::string scene = thrown(seed);
@@ -116,7 +116,7 @@ Ends fly(unsigned first, unsigned last) {
 }
 
 void expectTheSameEnds(unsigned last) {
-  const Ends ends = fly(0, last);
+  const Ends ends = flyApart(0, last);
   EXPECT_TRUE(ends.elsewhere.empty());
   EXPECT_TRUE(ends.endless.empty());
   // Of 1000 flights four are stepped in time and told.

@@ -8,10 +8,10 @@
 namespace dynamy::reference {
 namespace {
 
-enum class Round { capsule, cylinder, cone, torus };
+enum class RoundPair { capsule, cylinder, cone, torus };
 
 /// A round body that flies at another one, `other`: a shape without its last attributes.
-std::string thrownAt(unsigned seed, const std::string& other, Round kind = Round::capsule) {
+std::string thrownAt(unsigned seed, const std::string& other, RoundPair kind = RoundPair::capsule) {
   std::mt19937 random(seed);
   const auto one = [&](double a, double b) {
     return std::to_string(a + (b - a) * static_cast<double>(random()) / 4294967296.0);
@@ -26,7 +26,7 @@ std::string thrownAt(unsigned seed, const std::string& other, Round kind = Round
   text += R"(" angularVelocity=")" + three(-4.0, 4.0) + R"("><)";
   constexpr std::array<const char*, 4> kKinds{"Capsule", "Cylinder", "Cone", "Torus"};
   text += kKinds[static_cast<std::size_t>(kind)];
-  if (kind == Round::torus)
+  if (kind == RoundPair::torus)
     text += R"( radius="0.4" tube=")" + one(0.05, 0.2);
   else
     text += R"( radius=")" + one(0.1, 0.3) + R"(" length=")" + one(0.3, 1.0);
@@ -48,7 +48,7 @@ struct Throws {
 /// Each flight ends as with a tighter tolerance: impacts and contacts that go on amplify errors of
 /// 1e-6 L to 1.4e-4 at most, of those that went wrong silently the least was off by 9e-4
 /// (located_jumping_test.cpp).
-Throws throwAt(const std::string& other, unsigned count, Round kind = Round::capsule) {
+Throws throwAt(const std::string& other, unsigned count, RoundPair kind = RoundPair::capsule) {
   Throws flights;
   for (unsigned seed = 0; seed < count; ++seed) {
     const std::string scene = thrownAt(seed, other, kind);
@@ -105,7 +105,7 @@ TEST(LocatedCapsules, FeelABoxAsThePolyhedronOfItsCorners) {
 }
 
 /// Throws at a box and at a polyhedron, of which `told` at most are stepped in time.
-void expectLocated(Round kind, int told) {
+void expectLocated(RoundPair kind, int told) {
   for (const std::string& other : {kBox, kWedge}) {
     const Throws flights = throwAt(other, kFlights, kind);
     EXPECT_GT(flights.impacts, 60);
@@ -113,15 +113,15 @@ void expectLocated(Round kind, int told) {
   }
 }
 
-TEST(LocatedDiscs, CylindersStayInTouchWithFlatFaces) { expectLocated(Round::cylinder, 0); }
+TEST(LocatedDiscs, CylindersStayInTouchWithFlatFaces) { expectLocated(RoundPair::cylinder, 0); }
 
 // A base that lies on an edge slides over it: two crossings of the rim come together.
-TEST(LocatedDiscs, ConesStayInTouchWithFlatFaces) { expectLocated(Round::cone, 1); }
+TEST(LocatedDiscs, ConesStayInTouchWithFlatFaces) { expectLocated(RoundPair::cone, 1); }
 
-TEST(LocatedDiscs, ToriStayInTouchWithFlatFaces) { expectLocated(Round::torus, 1); }
+TEST(LocatedDiscs, ToriStayInTouchWithFlatFaces) { expectLocated(RoundPair::torus, 1); }
 
 /// Throws at one of each kind.
-void expectLocatedAmongRound(Round kind, int told) {
+void expectLocatedAmongRound(RoundPair kind, int told) {
   for (const std::string other :
        {R"(<Capsule radius="0.2" length="0.6")", R"(<Cylinder radius="0.3" length="0.4")",
         R"(<Cone radius="0.35" length="0.6")", R"(<Torus radius="0.35" tube="0.12")"}) {
@@ -132,17 +132,17 @@ void expectLocatedAmongRound(Round kind, int told) {
 }
 
 TEST(LocatedDiscs, CapsulesStayInTouchWithRoundBodies) {
-  expectLocatedAmongRound(Round::capsule, 0);
+  expectLocatedAmongRound(RoundPair::capsule, 0);
 }
 
 TEST(LocatedDiscs, CylindersStayInTouchWithRoundBodies) {
-  expectLocatedAmongRound(Round::cylinder, 1);
+  expectLocatedAmongRound(RoundPair::cylinder, 1);
 }
 
 // The tip of one slides over the border of the base of the other.
-TEST(LocatedDiscs, ConesStayInTouchWithRoundBodies) { expectLocatedAmongRound(Round::cone, 1); }
+TEST(LocatedDiscs, ConesStayInTouchWithRoundBodies) { expectLocatedAmongRound(RoundPair::cone, 1); }
 
-TEST(LocatedDiscs, ToriStayInTouchWithRoundBodies) { expectLocatedAmongRound(Round::torus, 0); }
+TEST(LocatedDiscs, ToriStayInTouchWithRoundBodies) { expectLocatedAmongRound(RoundPair::torus, 0); }
 
 /// A body that slides without friction off the top of a fixed one, whose middles stay R apart, leaves
 /// it where m v²/R = m g cos θ: cos θ = 2/3 cos θ₀ from rest at θ₀. From there on its velocity to the

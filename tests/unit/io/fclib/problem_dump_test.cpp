@@ -22,8 +22,8 @@ VectorXd solved(const InclusionProblem& p) {
 }
 
 /// Contacts of `laws` on a random body of 12 freedoms, all closing.
-struct Scene {
-  explicit Scene(const std::vector<const SetValuedForceLaw*>& laws) : random(3) {
+struct DumpScene {
+  explicit DumpScene(const std::vector<const SetValuedForceLaw*>& laws) : random(3) {
     inclusion = std::make_unique<fixture::Inclusion>(
         std::vector<MatrixXd>{fixture::randomMass(random, 16)});
     int rows = 0;
@@ -61,7 +61,7 @@ TEST(ProblemDump, EliminatesJointsAndAddsRowsWithoutChangingTheForces) {
   const UnilateralCoulomb friction(0.0, 0.0, 0.4);
   const Unilateral smooth;
   const Bilateral joint;
-  Scene scene({&friction, &joint, &smooth, &friction});
+  DumpScene scene({&friction, &joint, &smooth, &friction});
   const InclusionProblem& p = scene.inclusion->problem;
   const VectorXd Lambda = solved(p);
   const FclibCopy copy = fclibCopy(p, view(Lambda));
@@ -76,7 +76,7 @@ TEST(ProblemDump, EliminatesJointsAndAddsRowsWithoutChangingTheForces) {
 TEST(ProblemDump, KeepsRollingFriction) {
   const UnilateralRolling rolling(0.3, 0.05);
   const UnilateralCoulomb friction(0.0, 0.0, 0.4);
-  Scene scene({&rolling, &friction});
+  DumpScene scene({&rolling, &friction});
   const InclusionProblem& p = scene.inclusion->problem;
   const VectorXd Lambda = solved(p);
   const FclibCopy copy = fclibCopy(p, view(Lambda));
@@ -88,7 +88,7 @@ TEST(ProblemDump, KeepsRollingFriction) {
 
 TEST(ProblemDump, WritesContactsWithoutFrictionAsAComplementarityProblem) {
   const Unilateral smooth;
-  Scene scene({&smooth, &smooth, &smooth});
+  DumpScene scene({&smooth, &smooth, &smooth});
   const InclusionProblem& p = scene.inclusion->problem;
   const VectorXd Lambda = solved(p);
   const FclibCopy copy = fclibCopy(p, view(Lambda));
@@ -100,7 +100,7 @@ TEST(ProblemDump, RefusesWhatTheLayoutCannotHold) {
   const GivenFriction given(1.0, 1.0);
   const UnilateralCoulomb friction(0.0, 0.0, 0.4);
   const Bilateral joint;
-  Scene mixed({&friction, &given}), joints({&joint, &joint});
+  DumpScene mixed({&friction, &given}), joints({&joint, &joint});
   const VectorXd zero = VectorXd::Zero(6);
   const FclibCopy a = fclibCopy(mixed.inclusion->problem, view(zero)),
                   b = fclibCopy(joints.inclusion->problem, view(zero));

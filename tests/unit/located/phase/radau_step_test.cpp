@@ -16,7 +16,7 @@ VectorXd one(double value) { return VectorXd::Constant(1, value); }
 constexpr double kTolerance = 1e-10;
 /// Newton's iteration ends when the rest is below a small part of the tolerance: 1e-10 here, and
 /// the numbers below are amplified by nothing.
-constexpr double kSolved = 1e-10;
+constexpr double kStageSolved = 1e-10;
 
 /// R(z) of the method [hairer_wanner1996, IV.5]: y⁺ = R(hλ) y for y' = λy.
 double stability(double z) {
@@ -48,7 +48,7 @@ TEST(RadauStep, OfALinearEquationIsItsFunctionOfStability) {
   for (const double rate : {0.5, -1.0, -10.0, -1e3, -1e6}) {
     const Step s = step(linearField(rate), 1.0, 1.0);
     ASSERT_TRUE(s.good) << rate;
-    EXPECT_NEAR(s.radau.end()[0], stability(rate), kSolved) << rate;
+    EXPECT_NEAR(s.radau.end()[0], stability(rate), kStageSolved) << rate;
   }
 }
 
@@ -70,7 +70,7 @@ TEST(RadauStep, PassesThroughAPolynomialOfDegreeThree) {
   VectorXd y;
   for (const double theta : {0.0, 0.3, 0.8, 1.0}) {
     s.radau.dense(theta, y);
-    EXPECT_NEAR(y[0], exact(1.0 + 0.5 * theta), kSolved) << theta;
+    EXPECT_NEAR(y[0], exact(1.0 + 0.5 * theta), kStageSolved) << theta;
   }
 }
 
@@ -100,7 +100,7 @@ TEST(RadauStep, KeepsTheJacobianWhileNewtonsMethodContracts) {
   const VectorXd y = s.radau.end();
   ASSERT_TRUE(s.radau.take(linearField(-2.0), 0.1, y, -2.0 * y, one(0.0), 0.1, false));
   EXPECT_FALSE(s.radau.tookJacobian());
-  EXPECT_NEAR(s.radau.end()[0], stability(-0.2) * stability(-0.2), kSolved);
+  EXPECT_NEAR(s.radau.end()[0], stability(-0.2) * stability(-0.2), kStageSolved);
   s.radau.forget();
   ASSERT_TRUE(s.radau.take(linearField(-2.0), 0.1, y, -2.0 * y, one(0.0), 0.1, false));
   EXPECT_TRUE(s.radau.tookJacobian());

@@ -57,7 +57,7 @@ struct Search {
   Switch found;
 };
 
-Held held(const SledgeScene& s, double sign = 0.0) {
+Held heldSledge(const SledgeScene& s, double sign = 0.0) {
   Held h;
   h.key = s.key();
   h.slips = sign != 0.0, h.sign = sign;
@@ -120,7 +120,7 @@ TEST(SwitchSearch, FindsAGapThatClosesAndOpensBetweenTwoSamples) {
 TEST(SwitchSearch, FindsTheEndOfASlip) {
   constexpr double h = 0.5;
   SledgeScene s({0.0, 0.0}, {2.0, 0.0}, SledgeScene::pull(0.0), kSledgeMu);
-  const Search search(s, {held(s, 1.0)}, slide(2.0, 0.0), h);
+  const Search search(s, {heldSledge(s, 1.0)}, slide(2.0, 0.0), h);
   ASSERT_TRUE(search.found);
   EXPECT_FALSE(search.found.force);
   EXPECT_NEAR(search.found.theta * h, 2.0 / (kSledgeMu * kSledgeG), kRoot);
@@ -130,7 +130,7 @@ TEST(SwitchSearch, FindsTheEndOfASlip) {
 TEST(SwitchSearch, FindsWhereTheNormalForceEnds) {
   constexpr double h = 0.8;  // λ_N = g − 20 t
   SledgeScene s({0.0, 0.0}, {0.0, 0.0}, lifted(20.0), kSledgeMu);
-  const Search search(s, {held(s)}, kRest, h);
+  const Search search(s, {heldSledge(s)}, kRest, h);
   ASSERT_TRUE(search.found);
   EXPECT_TRUE(search.found.force);
   EXPECT_NEAR(search.found.theta * h, kSledgeG / 20.0, kWidth);
@@ -139,7 +139,7 @@ TEST(SwitchSearch, FindsWhereTheNormalForceEnds) {
 TEST(SwitchSearch, FindsWhereFrictionReachesItsBound) {
   constexpr double h = 1.0;  // |λ_T| = 8 t against μ g = 5
   SledgeScene s({0.0, 0.0}, {0.0, 0.0}, lifted(0.0, 8.0), kSledgeMu);
-  const Search search(s, {held(s)}, kRest, h);
+  const Search search(s, {heldSledge(s)}, kRest, h);
   ASSERT_TRUE(search.found);
   EXPECT_TRUE(search.found.force);
   EXPECT_NEAR(search.found.theta * h, kSledgeMu * kSledgeG / 8.0, kWidth);
@@ -152,7 +152,7 @@ TEST(SwitchSearch, ComparesRootsOfForcesAndSlips) {
     const double h = 0.7,
                  slipEnd =
                      (kSledgeG - std::sqrt(kSledgeG * kSledgeG - 2.0 * c * 2.0 / kSledgeMu)) / c;
-    const Search search(s, {held(s, 1.0)}, slide(2.0, c), h);
+    const Search search(s, {heldSledge(s, 1.0)}, slide(2.0, c), h);
     ASSERT_TRUE(search.found) << c;
     const bool slip = std::isfinite(slipEnd) && slipEnd < kSledgeG / c;
     EXPECT_EQ(search.found.force, !slip) << c;
@@ -162,7 +162,7 @@ TEST(SwitchSearch, ComparesRootsOfForcesAndSlips) {
 
 TEST(SwitchSearch, WatchesNothingOfAContactThatHoldsForGood) {
   SledgeScene s({0.0, 0.0}, {0.0, 0.0}, SledgeScene::pull(1.0), kSledgeMu);
-  const Search search(s, {held(s)}, kRest, 1.0);
+  const Search search(s, {heldSledge(s)}, kRest, 1.0);
   EXPECT_TRUE(search.search.any());
   EXPECT_FALSE(search.search.gaps());
   EXPECT_FALSE(search.found);

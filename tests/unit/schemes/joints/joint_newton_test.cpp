@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using fixture::LinkedMasses;
 
-constexpr double kM1 = 1.0, kM2 = 3.0, kForce = 8.0, kDt = 1e-2;
+constexpr double kM1 = 1.0, kM2 = 3.0, kForce = 8.0, kJointDt = 1e-2;
 /// K is taken by differences of 1e-7 of a linear residual: rounding over the difference.
 constexpr double kDifferences = 1e-7;
 
@@ -41,7 +41,7 @@ ContactSet unitDirections(int n) {
 TEST(JointNewton, SolvesALinearProblemInTwoSteps) {
   LinkedMasses s = pulled();
   JointNewton newton;
-  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kDt));
+  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kJointDt));
   EXPECT_EQ(newton.equations.rows(), 1);
   EXPECT_EQ(newton.unknowns(), 3);
   const VectorXd none = VectorXd::Zero(2);
@@ -56,13 +56,13 @@ TEST(JointNewton, SolvesALinearProblemInTwoSteps) {
   }
   // Both masses get a = F/(m₁ + m₂); the rod gives mass 1 what it needs: Λ = −m₂ a Δt.
   const double a = kForce / (kM1 + kM2);
-  EXPECT_NEAR(newton.equations.v[0], 0.5 * a * kDt, kDifferences * kDt);
-  EXPECT_NEAR(newton.equations.v[1], 0.5 * a * kDt, kDifferences * kDt);
-  EXPECT_NEAR(newton.equations.Lambda[0], -kM2 * a * kDt, kDifferences);
+  EXPECT_NEAR(newton.equations.v[0], 0.5 * a * kJointDt, kDifferences * kJointDt);
+  EXPECT_NEAR(newton.equations.v[1], 0.5 * a * kJointDt, kDifferences * kJointDt);
+  EXPECT_NEAR(newton.equations.Lambda[0], -kM2 * a * kJointDt, kDifferences);
   newton.equations.evaluate(*s.system, none);
   EXPECT_NEAR(newton.equations.end.q[0] - newton.equations.end.q[1], 1.0, 1e-14);
-  EXPECT_NEAR(newton.equations.end.u[0], a * kDt, kDifferences * kDt);
-  EXPECT_NEAR(newton.equations.midpoint.t, 0.5 * kDt, 1e-17);
+  EXPECT_NEAR(newton.equations.end.u[0], a * kJointDt, kDifferences * kJointDt);
+  EXPECT_NEAR(newton.equations.midpoint.t, 0.5 * kJointDt, 1e-17);
 }
 
 TEST(JointNewton, StartsFromThePercussionsOfTheLastStep) {
@@ -70,9 +70,9 @@ TEST(JointNewton, StartsFromThePercussionsOfTheLastStep) {
   s.x.impulses.key = {contactKey(1, 0)};
   s.x.impulses.first = {0, 1};
   s.x.impulses.Lambda = {-0.5};
-  s.x.impulses.dt = 2.0 * kDt;
+  s.x.impulses.dt = 2.0 * kJointDt;
   JointNewton newton;
-  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kDt));
+  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kJointDt));
   EXPECT_EQ(newton.equations.Lambda[0], -0.25);  // in proportion to the step
 }
 
@@ -80,7 +80,7 @@ TEST(JointNewton, BringsBackARodThatIsOff) {
   LinkedMasses s(Vector2d(kM1, kM2), Vector2d(1.001, 0.0), Vector2d::Zero(), {{0, 1, 1.0}}, {}, 0.0,
                  [](double, ConstVec, ConstVec, Vec h) { h.setZero(); });
   JointNewton newton;
-  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kDt));
+  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kJointDt));
   const VectorXd none = VectorXd::Zero(2);
   for (int turn = 0; turn < 2; ++turn) {
     newton.equations.evaluate(*s.system, none);
@@ -96,7 +96,7 @@ TEST(JointNewton, BringsBackARodThatIsOff) {
 TEST(JointNewton, AnswersWithTheMassesThatARodCouples) {
   LinkedMasses s = pulled();
   JointNewton newton;
-  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kDt));
+  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kJointDt));
   const VectorXd none = VectorXd::Zero(2);
   newton.equations.evaluate(*s.system, none);
   ASSERT_TRUE(newton.linearise(*s.system, none));
@@ -111,7 +111,7 @@ TEST(JointNewton, AnswersWithTheMassesThatARodCouples) {
 TEST(JointNewton, HasNothingToDoWithoutJointsAndWithConstantMasses) {
   LinkedMasses s(Vector2d(kM1, kM2), Vector2d(1.0, 0.0), Vector2d::Zero(), {}, {{0, 1, -1}});
   JointNewton newton;
-  EXPECT_FALSE(newton.equations.begin(*s.system, s.x, kDt));
+  EXPECT_FALSE(newton.equations.begin(*s.system, s.x, kJointDt));
 }
 
 }  // namespace

@@ -23,28 +23,28 @@ std::vector<double> rule(const MatrixXd& G, Relaxation which, double factor = 1.
 }
 
 // The root and its square: a few ε of numbers of size 1 … 4.
-constexpr double kTolerance = 1e-14;
+constexpr double kRelaxed = 1e-14;
 
 TEST(Relaxation, TakesTheDiagonalOfADominantMatrix) {
   const MatrixXd G{{4.0, 1.0, 1.0}, {1.0, 2.5, -1.0}, {1.0, -1.0, 2.0}};
   const auto r = rule(G, Relaxation::diagonalDominance);
-  EXPECT_NEAR(r[0], 1.0 / 4.0, kTolerance);
-  EXPECT_NEAR(r[1], 1.0 / 2.5, kTolerance);
+  EXPECT_NEAR(r[0], 1.0 / 4.0, kRelaxed);
+  EXPECT_NEAR(r[1], 1.0 / 2.5, kRelaxed);
   EXPECT_NEAR(r[2], 1.0 / 2.0, 2e-14);
 }
 
 TEST(Relaxation, TakesRowSumsOfAllRowsIfOneIsNotDominant) {
   const MatrixXd G{{4.0, 1.0, 1.0}, {1.0, 2.0, -1.2}, {1.0, -1.2, 2.0}};
   const auto r = rule(G, Relaxation::diagonalDominance);
-  EXPECT_NEAR(r[0], 1.0 / 6.0, kTolerance);
-  EXPECT_NEAR(r[1], 1.0 / 4.2, kTolerance);
-  EXPECT_NEAR(r[2], 1.0 / 4.2, kTolerance);
+  EXPECT_NEAR(r[0], 1.0 / 6.0, kRelaxed);
+  EXPECT_NEAR(r[1], 1.0 / 4.2, kRelaxed);
+  EXPECT_NEAR(r[2], 1.0 / 4.2, kRelaxed);
 }
 
 TEST(Relaxation, TakesRowSumsAlwaysIfAskedTo) {
   const auto r = rule(MatrixXd{{2.0, -1.0}, {-1.0, 3.0}}, Relaxation::rowSums);
-  EXPECT_NEAR(r[0], 1.0 / 3.0, kTolerance);
-  EXPECT_NEAR(r[1], 1.0 / 4.0, kTolerance);
+  EXPECT_NEAR(r[0], 1.0 / 3.0, kRelaxed);
+  EXPECT_NEAR(r[1], 1.0 / 4.0, kRelaxed);
 }
 
 TEST(Relaxation, FindsTheSpectralRadius) {
@@ -54,7 +54,7 @@ TEST(Relaxation, FindsTheSpectralRadius) {
 }
 
 TEST(Relaxation, MultipliesByTheFactor) {
-  EXPECT_NEAR(rule(MatrixXd{{2.0}}, Relaxation::exact, 1.5)[0], 0.75, kTolerance);
+  EXPECT_NEAR(rule(MatrixXd{{2.0}}, Relaxation::exact, 1.5)[0], 0.75, kRelaxed);
 }
 
 TEST(Relaxation, GivesTheRowsOfADiscOneStep) {
@@ -65,12 +65,12 @@ TEST(Relaxation, GivesTheRowsOfADiscOneStep) {
   InclusionProblem& p = x.pose(VectorXd::Ones(3));
   std::vector<double> r;
   relaxation(p, Relaxation::exact, 1.0, r);
-  EXPECT_NEAR(r[0], 1.0 / 5.0, kTolerance);
+  EXPECT_NEAR(r[0], 1.0 / 5.0, kRelaxed);
   EXPECT_EQ(r[1], r[2]);
-  EXPECT_NEAR(r[1], 2.0 / (5.0 + std::sqrt(2.0)), kTolerance);
+  EXPECT_NEAR(r[1], 2.0 / (5.0 + std::sqrt(2.0)), kRelaxed);
   relaxation(p, Relaxation::rowSums, 1.0, r);
   EXPECT_EQ(r[1], r[2]);
-  EXPECT_NEAR(r[1], 1.0 / 4.5, kTolerance);  // the smaller of 1/3.5 and 1/4.5
+  EXPECT_NEAR(r[1], 1.0 / 4.5, kRelaxed);  // the smaller of 1/3.5 and 1/4.5
 }
 
 TEST(Relaxation, GivesZeroToAContactThatNothingCanMove) {

@@ -8,13 +8,13 @@
 namespace dynamy {
 namespace {
 
-using Kind = TouchingShape::Kind;
+using Touch = TouchingShape::Kind;
 using enum PairTable::Room;
 
 ContactPoint nothing(const PosedPair&) { return {}; }
 using Nothing = OneContact<nothing>;
 
-TouchingShape shape(Kind kind, double size = 0.1) {
+TouchingShape shape(Touch kind, double size = 0.1) {
   TouchingShape s;
   s.kind = kind, s.bound = s.thickness = size;
   s.features.emplace_back();
@@ -23,8 +23,8 @@ TouchingShape shape(Kind kind, double size = 0.1) {
 
 TEST(PairTable, FindsAKernelInTheRoomItIsMadeFor) {
   PairTable table;
-  table.add(std::make_unique<Nothing>(), {space}, {{Kind::ball, Kind::cylinder}});
-  const TouchingShape ball = shape(Kind::ball), cylinder = shape(Kind::cylinder);
+  table.add(std::make_unique<Nothing>(), {space}, {{Touch::ball, Touch::cylinder}});
+  const TouchingShape ball = shape(Touch::ball), cylinder = shape(Touch::cylinder);
   EXPECT_NE(table.find(cylinder, ball, space), nullptr);
   EXPECT_EQ(table.find(cylinder, ball, plane), nullptr);
   EXPECT_EQ(table.find(cylinder, cylinder, space), nullptr);
@@ -32,15 +32,15 @@ TEST(PairTable, FindsAKernelInTheRoomItIsMadeFor) {
 
 TEST(PairTable, RefusesASecondKernelOfTheSamePair) {
   PairTable table;
-  table.add(std::make_unique<Nothing>(), {space}, {{Kind::ball, Kind::cylinder}});
-  EXPECT_THROW(table.add(std::make_unique<Nothing>(), {space}, {{Kind::cylinder, Kind::ball}}),
+  table.add(std::make_unique<Nothing>(), {space}, {{Touch::ball, Touch::cylinder}});
+  EXPECT_THROW(table.add(std::make_unique<Nothing>(), {space}, {{Touch::cylinder, Touch::ball}}),
                ModelError);
 }
 
 TEST(PairTable, HasNoKernelForShapesThatWouldPassThroughEachOther) {
   PairTable table;
   addStandardPairs(table);
-  const TouchingShape line = shape(Kind::capsule, 0.0), rod = shape(Kind::capsule);
+  const TouchingShape line = shape(Touch::capsule, 0.0), rod = shape(Touch::capsule);
   EXPECT_NE(table.find(rod, line, space), nullptr);
   EXPECT_EQ(table.find(line, line, space), nullptr);
 }
@@ -50,20 +50,20 @@ TEST(PairTable, KnowsWhichGapsCostMost) {
   // them as such.
   PairTable table;
   addStandardPairs(table);
-  const auto work = [&](Kind a, Kind b) {
+  const auto work = [&](Touch a, Touch b) {
     const TouchingShape A = shape(a), B = shape(b);
     return table.find(A, B, space)->work(A, B);
   };
-  EXPECT_EQ(work(Kind::box, Kind::box), kGapWork);
-  EXPECT_GT(work(Kind::cylinder, Kind::capsule), 5.0 * kGapWork);
-  EXPECT_GT(work(Kind::cylinder, Kind::cylinder), 2.0 * work(Kind::cylinder, Kind::capsule));
-  EXPECT_GT(work(Kind::smooth, Kind::smooth), kDearWork);
+  EXPECT_EQ(work(Touch::box, Touch::box), kGapWork);
+  EXPECT_GT(work(Touch::cylinder, Touch::capsule), 5.0 * kGapWork);
+  EXPECT_GT(work(Touch::cylinder, Touch::cylinder), 2.0 * work(Touch::cylinder, Touch::capsule));
+  EXPECT_GT(work(Touch::smooth, Touch::smooth), kDearWork);
 }
 
 TEST(PairTable, KnowsThatHalfSpacesAndPointsNeverTouch) {
-  EXPECT_TRUE(PairTable::neverTouch(shape(Kind::halfSpace), shape(Kind::halfSpace)));
-  EXPECT_TRUE(PairTable::neverTouch(shape(Kind::ball, 0.0), shape(Kind::ball, 0.0)));
-  EXPECT_FALSE(PairTable::neverTouch(shape(Kind::ball), shape(Kind::ball, 0.0)));
+  EXPECT_TRUE(PairTable::neverTouch(shape(Touch::halfSpace), shape(Touch::halfSpace)));
+  EXPECT_TRUE(PairTable::neverTouch(shape(Touch::ball, 0.0), shape(Touch::ball, 0.0)));
+  EXPECT_FALSE(PairTable::neverTouch(shape(Touch::ball), shape(Touch::ball, 0.0)));
 }
 
 TEST(PairTable, TellsFamiliesOfPluginsApart) {
@@ -73,9 +73,9 @@ TEST(PairTable, TellsFamiliesOfPluginsApart) {
   PairTable table;
   addStandardPairs(table);
   addFamily(table, one), addFamily(table, two);
-  TouchingShape a = shape(Kind::own), b = shape(Kind::own);
+  TouchingShape a = shape(Touch::own), b = shape(Touch::own);
   a.family = &one, b.family = &two;
-  const TouchingShape ball = shape(Kind::ball), ground = shape(Kind::halfSpace);
+  const TouchingShape ball = shape(Touch::ball), ground = shape(Touch::halfSpace);
   EXPECT_NE(table.find(a, ball, space), nullptr);
   EXPECT_EQ(table.find(b, ball, space), nullptr);
   EXPECT_EQ(table.find(ground, a, space), nullptr);

@@ -44,7 +44,7 @@ TEST(SurfaceContact, OfACapsuleOnABoxIsThatOfBoxes) {
 }
 
 /// Triangles of heights over the square of 2 m about the origin, 0.25 m apart.
-std::vector<Vec3> field(const std::function<double(double, double)>& z) {
+std::vector<Vec3> fieldOf(const std::function<double(double, double)>& z) {
   std::vector<Vec3> out;
   const auto at = [&](int i, int j) {
     const double x = -1.0 + 0.25 * i, y = -1.0 + 0.25 * j;
@@ -61,7 +61,7 @@ double hills(double x, double y) { return 0.2 * std::sin(5.0 * x) * std::cos(4.0
 
 TEST(SurfaceContact, OfAPolyhedronOverHillsIsTheirDistance) {
   Random random(10);
-  const std::vector<Vec3> ground = field(hills);
+  const std::vector<Vec3> ground = fieldOf(hills);
   const Surface mesh(ground, false);
   const Mover A(Vec3::Zero(), Mat3::Identity());
   int met = 0;
@@ -89,7 +89,7 @@ TEST(SurfaceContact, OfAPolyhedronOverHillsIsTheirDistance) {
 
 TEST(SurfaceContact, OfAPolyhedronOnAMeshHasTheRatesOfTheMotion) {
   Random random(11);
-  const Surface mesh(field(hills), false);
+  const Surface mesh(fieldOf(hills), false);
   const Polyhedron body(boxTriangles({0.15, 0.2, 0.25}));
   const TouchingShape rod = capsule(0.1, 0.3);
   int compared = 0, ofCapsules = 0;
@@ -117,7 +117,7 @@ TEST(SurfaceContact, OfABoxOnARidgeAreTwoCrossingsAndOnAPeakOneCorner) {
   const Polyhedron box(boxTriangles({0.3, 0.2, 0.1}));
   OnSurfaceContacts found;
   // The ridge runs along y under the middle of the box and crosses two of its lower edges.
-  const Surface ridge(field([](double x, double) { return -0.5 * std::abs(x); }), false);
+  const Surface ridge(fieldOf([](double x, double) { return -0.5 * std::abs(x); }), false);
   const Mover over(Vec3(0.01, 0.02, 0.1), Mat3::Identity());
   int n = polyhedronOnMesh(A.frame, ridge, placed(over.frame, box), 0.01, false, found);
   ASSERT_EQ(n, 2);
@@ -127,7 +127,7 @@ TEST(SurfaceContact, OfABoxOnARidgeAreTwoCrossingsAndOnAPeakOneCorner) {
     EXPECT_NEAR(c.d[0].z(), 1.0, 1e-15);
     EXPECT_NEAR(std::abs(c.P.y() - 0.02), 0.2, 1e-15);
   }
-  const Surface peak(field([](double x, double y) { return x == 0.0 && y == 0.0 ? 0.1 : 0.0; }),
+  const Surface peak(fieldOf([](double x, double y) { return x == 0.0 && y == 0.0 ? 0.1 : 0.0; }),
                      false);
   const Mover above(Vec3(0.05, 0.0, 0.21), turned({0, 0, 0.3}));
   n = polyhedronOnMesh(A.frame, peak, placed(above.frame, box), 0.05, false, found);

@@ -150,7 +150,7 @@ TEST(Surface, HasTwoContactsInAValleyAndOneOnARidge) {
   EXPECT_EQ(ridge.featureName(out[0].id).substr(0, 4), "edge");
 }
 
-double toSegment(const Vec3& c, const Vec3& a, const Vec3& b) {
+double toSegmentOf(const Vec3& c, const Vec3& a, const Vec3& b) {
   const double t = std::clamp((c - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
   return (a + t * (b - a) - c).norm();
 }
@@ -162,7 +162,7 @@ double toTriangle(const Vec3& c, const Vec3& a, const Vec3& b, const Vec3& d) {
   axes << b - a, d - a, n;
   const Vec3 x = axes.inverse() * (c - a);
   if (x[0] >= 0.0 && x[1] >= 0.0 && x[0] + x[1] <= 1.0) return std::abs(x[2]);
-  return std::min({toSegment(c, a, b), toSegment(c, b, d), toSegment(c, d, a)});
+  return std::min({toSegmentOf(c, a, b), toSegmentOf(c, b, d), toSegmentOf(c, d, a)});
 }
 
 TEST(Surface, NearestContactIsTheDistanceOverHills) {
