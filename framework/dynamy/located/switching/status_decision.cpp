@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/located/phase/phase_fault.hpp>
 #include <dynamy/located/switching/notches.hpp>
 #include <dynamy/located/switching/status_decision.hpp>
@@ -9,6 +10,55 @@ namespace {
 
 constexpr double kDecided = 1e-8;  ///< of the velocities a decision requires: this counts as zero
 constexpr double kClear = 1e3;     ///< least speed of slip in a decision over these velocities
+constexpr double kFollows =
+    1e-9;  ///< of a row: what others leave of it, where it follows from them
+
+/// Row `row` of contact i, in the velocities of `blocks`; false: it acts on others, too.
+bool readRow(const ContactSet& c, int i, int row, std::span<const Segment> blocks,
+             Eigen::Ref<Eigen::VectorXd> out) {
+  const auto at = static_cast<std::size_t>(i);
+  out.setZero();
+  for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    Eigen::Index first = 0;
+    auto b = blocks.begin();
+    while (b != blocks.end() && b->block != s.block) first += (b++)->nu;
+    if (b == blocks.end()) return false;
+    out.segment(first, s.nu) +=
+        Eigen::Map<const Eigen::VectorXd>(c.W.data() + s.w + std::ptrdiff_t{row} * s.nu, s.nu);
+  }
+  return true;
+}
+
+/// True: the normal of contact i is a combination of rows that are held and act on the same bodies,
+/// of normals and joints. It leaves only where they leave.
+bool follows(const ContactSet& c, int i, const std::vector<char>& carries) {
+  const auto at = static_cast<std::size_t>(i);
+  const std::span<const Segment> blocks(c.segment.begin() + c.segment0[at],
+                                        c.segment.begin() + c.segment0[at + 1]);
+  Eigen::Index n = 0, rows = 0;
+  for (const Segment& s : blocks) n += s.nu;
+  Eigen::VectorXd own(n), row(n);
+  readRow(c, i, 0, blocks, own);
+  Eigen::MatrixXd held(n, 0);
+  for (int k = 0; k < c.size(); ++k) {
+    if (k == i || carries[static_cast<std::size_t>(k)] == 0) continue;
+    const SetValuedForceLaw& law = *c.law[static_cast<std::size_t>(k)];
+    for (int r = 0; r < c.dim(k); ++r) {
+      const RowKind kind = law.rowKind(r);
+      if (kind != RowKind::normal && !holds(kind)) continue;
+      if (!readRow(c, k, r, blocks, row)) break;
+      const double size = row.norm();
+      if (!(size > 0.0)) continue;
+      held.conservativeResize(n, rows + 1);
+      held.col(rows++) = row / size;
+    }
+  }
+  if (rows == 0) return false;
+  PivotedQr qr(kFollows);
+  qr.compute(held);
+  return (held * qr.solve(own) - own).norm() <= kFollows * own.norm();
+}
 
 }  // namespace
 
@@ -148,19 +198,26 @@ void StatusDecision::decide(OngoingEvent& at, const Start& start, std::vector<He
 
 void StatusDecision::readStatus(const InclusionProblem& p, ConstVec Lambda, const Start& start,
                                 std::vector<Held>& held) const {
-  for (const Block& b : blocks_) {
-    const int first = p.row0(b.contact);
-    const double G = p.G->diagonalBlock(b.contact)[0];
-    // Closed: the percussion, as a change of velocity, exceeds the speed of leaving.
+  // Closed: the percussion, as a change of velocity, exceeds the speed of leaving.
+  const double decided = kDecided * p.uRef;
+  std::vector<char> carries(static_cast<std::size_t>(p.size()), 1);
+  const auto isUnilateral = [&](int i) { return p.law(i).rowKind(0) == RowKind::normal; };
+  for (int i = 0; i < p.size(); ++i) {
+    if (!isUnilateral(i)) continue;
     ForceSet set;  // of a contact that may pull
-    const bool pulls =
-        forceSet(p.law(b.contact), p.input(b.contact), set) && set.form == ForceSet::Form::normal;
-    const double reserve = Lambda[first] - (pulls ? set.lower : 0.0);
-    if (p.law(b.contact).rowKind(0) == RowKind::normal &&
-        !(G * reserve > std::max(xi_[first], kDecided * p.uRef)))
-      continue;
-    held.push_back(status(p, Lambda, b, start));
+    const bool pulls = forceSet(p.law(i), p.input(i), set) && set.form == ForceSet::Form::normal;
+    const double reserve = Lambda[p.row0(i)] - (pulls ? set.lower : 0.0);
+    const double change = p.G->diagonalBlock(i)[0] * reserve;
+    carries[static_cast<std::size_t>(i)] = change > std::max(xi_[p.row0(i)], decided) ? 1 : 0;
   }
+  // A solver may leave redundant contacts without a force. They are as closed as the others.
+  std::vector<char> closed = carries;
+  for (int i = 0; i < p.size(); ++i)
+    if (carries[static_cast<std::size_t>(i)] == 0 && std::abs(xi_[p.row0(i)]) <= decided)
+      closed[static_cast<std::size_t>(i)] = follows(*p.contacts, i, carries) ? 1 : 0;
+  for (const Block& b : blocks_)
+    if (closed[static_cast<std::size_t>(b.contact)] != 0)
+      held.push_back(status(p, Lambda, b, start));
 }
 
 Held StatusDecision::status(const InclusionProblem& p, ConstVec Lambda, const Block& b,
