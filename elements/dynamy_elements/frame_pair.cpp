@@ -4,15 +4,25 @@
 
 namespace dynamy {
 
-StartKinematics::StartKinematics(const Topology& topology)
-    : q_(Eigen::VectorXd::Zero(topology.nq())), u_(Eigen::VectorXd::Zero(topology.nu())) {
+StartKinematics::StartKinematics(const Topology& topology) {
+  place(topology);
+  kinematics_.evaluate(topology, 0.0, {q_.data(), q_.size()}, {u_.data(), u_.size()});
+}
+
+StartKinematics::StartKinematics(const Topology& topology, const std::vector<FrameHandle>& frames) {
+  place(topology);
+  kinematics_.resize(topology, &frames);
+  kinematics_.evaluate(topology, 0.0, {q_.data(), q_.size()}, {u_.data(), u_.size()}, {nullptr, 0},
+                       nullptr, frames);
+}
+
+void StartKinematics::place(const Topology& topology) {
+  q_.setZero(topology.nq()), u_.setZero(topology.nu());
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {
     const SystemHandle& s = topology.system(static_cast<int>(i));
     if (s.nq + s.nu > 0)
       topology.systems()[i]->initialState(slice(q_, s.q0, s.nq), slice(u_, s.u0, s.nu));
   }
-  kinematics_.resize(topology);
-  kinematics_.evaluate(topology, 0.0, {q_.data(), q_.size()}, {u_.data(), u_.size()});
 }
 
 namespace {
@@ -63,7 +73,7 @@ void FramePair::connect(Topology& topology, const Element& asking) {
   find(topology, asking);
   const Blocks a = blocksOf(topology, A), b = blocksOf(topology, B);
   const auto one = [&] {
-    const StartKinematics start(topology);
+    const StartKinematics start(topology, {A, B});
     return belongToOneBody(start.frame(A), start.frame(B));
   };
   // Bodies of a tree that are fixed to each other are still two bodies: nothing moves between them.

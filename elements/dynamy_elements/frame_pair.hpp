@@ -6,14 +6,17 @@
 
 namespace dynamy {
 
-/// Kinematics of all frames requested so far, at the initial state and t = 0.
+/// Kinematics at the initial state and t = 0, of all frames requested so far, or of `frames` alone: a
+/// thousand joints that each looked at all frames took the cube of their number in time.
 class StartKinematics {
  public:
   explicit StartKinematics(const Topology& topology);
+  StartKinematics(const Topology& topology, const std::vector<FrameHandle>& frames);
   const Frame& frame(FrameHandle f) const { return kinematics_.frame(f); }
   const Kinematics& kinematics() const { return kinematics_; }
 
  private:
+  void place(const Topology& topology);
   Eigen::VectorXd q_, u_;
   Kinematics kinematics_;
 };

@@ -58,7 +58,7 @@ Bushing::Bushing(const Parameters& x)
 
 void Bushing::connect(Topology& topology) {
   frames_.connect(topology, *this);
-  const StartKinematics start(topology);
+  const StartKinematics start(topology, {frames_.A, frames_.B});
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);
   const Vec3 at = atGiven_ ? at_ : B.r_OS_I;
   pointA_ = A.A_IK.transpose() * (at - A.r_OS_I);

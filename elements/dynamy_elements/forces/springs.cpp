@@ -51,7 +51,7 @@ SpringDamper::SpringDamper(const Parameters& x)
 void SpringDamper::connect(Topology& topology) {
   frames_.connect(topology, *this);
   if (lengthGiven_) return;
-  const StartKinematics start(topology);
+  const StartKinematics start(topology, {frames_.A, frames_.B});
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);
   length_ = (B.r_OS_I + B.A_IK * pointB_ - A.r_OS_I - A.A_IK * pointA_).norm();
 }
@@ -59,7 +59,7 @@ void SpringDamper::connect(Topology& topology) {
 bool SpringDamper::isMirrored(const MirrorPlane& plane) const {
   FramePair frames = frames_;
   frames.find(*plane.topology, *this);
-  const StartKinematics start(*plane.topology);
+  const StartKinematics start(*plane.topology, {frames.A, frames.B});
   const Frame &A = start.frame(frames.A), &B = start.frame(frames.B);
   return plane.contains(A.r_OS_I + A.A_IK * pointA_) && plane.contains(B.r_OS_I + B.A_IK * pointB_);
 }

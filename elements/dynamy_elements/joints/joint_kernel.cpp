@@ -68,7 +68,7 @@ void Joint::bind(Topology& topology) {
   if (ofTree_ && rows_.free.empty() && rows_.signals.empty())
     return frames_.belong(topology, *this);
   frames_.connect(topology, *this);
-  const StartKinematics start(topology);
+  const StartKinematics start(topology, {frames_.A, frames_.B});
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);
   JointStart s;
   s.at_I = atGiven_ ? at_ : B.r_OS_I;

@@ -128,7 +128,7 @@ void SheaveRope::connect(Topology& topology) {
   frames_.connect(topology, *this);
   sheave_ = topology.frame(sheaveName_, *this);
   if (!carrierName_.empty()) carrier_ = topology.frame(carrierName_, *this);
-  const StartKinematics start(topology);
+  const StartKinematics start(topology, {frames_.A, frames_.B, sheave_});
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B), &S = start.frame(sheave_);
   const Vec3 given = axis_.isZero(0.0) ? frames_.planeNormal : axis_;
   if (given.isZero(0.0))

@@ -73,8 +73,12 @@ void Coupling::connect(Topology& topology) {
     throw ModelError("all of the frames stand still or move as given",
                      "one of them has to be of a body with velocities of its own");
   std::vector<double> start;
-  const StartKinematics kinematics(topology);
-  for (const Part& p : parts_) p.row.startMemory(kinematics, start);
+  const bool turns =
+      std::any_of(parts_.begin(), parts_.end(), [](const Part& p) { return p.row.memory() > 0; });
+  if (turns) {
+    const StartKinematics kinematics(topology);
+    for (const Part& p : parts_) p.row.startMemory(kinematics, start);
+  }
   if (!start.empty()) memory_ = topology.memory(*this, start);
   terms_.resize(2 * parts_.size());
 }
@@ -145,7 +149,7 @@ void Gear::build(Topology& topology) {
   const FrameHandle A = frame(topology, a_), B = frame(topology, b_), C = frame(topology, carrier_);
   const Vec3 axisA = needed(axisA_, plane(), "the axis of A"),
              axisB = needed(axisB_, axisA, "the axis of B");
-  const StartKinematics start(topology);
+  const StartKinematics start(topology, {A, B, C});
   requireFree(topology, C, A, {true, axisA, Vec3::Zero(), "axisA", false});
   requireFree(topology, C, B, {true, axisB, Vec3::Zero(), "axisB", false});
   add(CoordinateRow::angle(start, C, A, axisA, Vec3::Zero(), 0.0), 1.0);
@@ -187,7 +191,7 @@ void RackAndPinion::build(Topology& topology) {
   const FrameHandle P = frame(topology, pinion_), R = frame(topology, rack_),
                     C = frame(topology, carrier_);
   const Vec3 axis = needed(axis_, plane(), "the axis of the pinion");
-  const StartKinematics start(topology);
+  const StartKinematics start(topology, {P, R, C});
   requireFree(topology, C, P, {true, axis, Vec3::Zero(), "axis", false});
   requireFree(topology, C, R, {false, direction_, start.frame(R).r_OS_I, "direction", false});
   add(CoordinateRow::displacement(start, C, R, start.frame(R).r_OS_I, direction_, 0.0), 1.0);
@@ -239,7 +243,7 @@ Rope::Rope(const Parameters& x)
 void Rope::build(Topology& topology) {
   frames_.clear();
   for (const std::string& name : names_) frames_.push_back(frame(topology, name));
-  const StartKinematics start(topology);
+  const StartKinematics start(topology, frames_);
   double spanned = 0.0;
   for (std::size_t i = 0; i + 1 < frames_.size(); ++i) {
     const Frame &A = start.frame(frames_[i]), &B = start.frame(frames_[i + 1]);

@@ -45,7 +45,7 @@ std::string tagOf(const Element& e) {
 /// The plane of the motion, through the first body; none: the bodies move in space.
 std::optional<Plane> planeOf(Model& model, int first, Topology& topology) {
   const FrameHandle frame = topology.frame(topology.system(first), 0);
-  const StartKinematics start(topology);
+  const StartKinematics start(topology, {frame});
   const Vec3 r = start.frame(frame).r_OS_I;
   std::string why;
   for (const char* word : {"xz", "xy", "yz"}) {

@@ -4,20 +4,29 @@
 
 namespace dynamy {
 
-void Kinematics::resize(const Topology& topology) {
+void Kinematics::resize(const Topology& topology, const std::vector<FrameHandle>* only) {
   const auto& requested = topology.requestedFrames();
+  const auto velocities = [&](FrameHandle f) {
+    return topology.system(requested[static_cast<std::size_t>(f.index)].first).blockNu;
+  };
   absent_.absent = absent_.outside = true;
   subset_ = 0;                                     // frames made anew are those of no subset yet
   frames_ = std::vector<Frame>(requested.size());  // a Frame that is assigned copies into its maps
+  const std::size_t count = only != nullptr ? only->size() : requested.size();
+  const auto frame = [&](std::size_t i) {
+    return only != nullptr ? (*only)[i] : FrameHandle{static_cast<int>(i)};
+  };
   std::size_t size = 0;
-  for (const auto& [system, id] : requested)
-    size += 6 * static_cast<std::size_t>(topology.system(system).blockNu);
+  for (std::size_t i = 0; i < count; ++i)
+    size += 6 * static_cast<std::size_t>(velocities(frame(i)));
   jacobians_.assign(size, 0.0);
   double* next = jacobians_.data();
-  for (std::size_t i = 0; i < requested.size(); ++i) {
-    const int nu = topology.system(requested[i].first).blockNu;
-    new (&frames_[i].J_S_I) Mat3X(next, 3, nu);
-    new (&frames_[i].J_R_I) Mat3X(next + 3 * nu, 3, nu);
+  for (std::size_t i = 0; i < count; ++i) {
+    const FrameHandle f = frame(i);
+    Frame& at = frames_[static_cast<std::size_t>(f.index)];
+    const int nu = velocities(f);
+    new (&at.J_S_I) Mat3X(next, 3, nu);
+    new (&at.J_R_I) Mat3X(next + 3 * nu, 3, nu);
     next += 6 * nu;
   }
 }

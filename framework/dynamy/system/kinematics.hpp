@@ -8,8 +8,9 @@ namespace dynamy {
 
 class Kinematics {
  public:
-  /// Reserves room for all frames requested in `topology`; no allocation later.
-  void resize(const Topology& topology);
+  /// Reserves room for all frames requested in `topology`, or for `only` these, of which alone it can
+  /// be asked then; no allocation later.
+  void resize(const Topology& topology, const std::vector<FrameHandle>* only = nullptr);
   /// Keeps views of `q`, `u` and `memory`, which must outlive their use, and evaluates all frames,
   /// or those of a subset: the others are absent, or stay where they rest. Calls resize() if that
   /// was not done. Where the subset omits others, `topology`, q and u are those of its systems alone,
