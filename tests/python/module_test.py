@@ -114,6 +114,8 @@ class Module(unittest.TestCase):
             self.assertTrue(simulation.step()["solved"])
             steps += 1
         self.assertLess(steps, 20)
+        with self.assertRaisesRegex(dynamy.ModelError, "the run ended at t = "):
+            simulation.step()
         # The sleeve sticks where a closed form says; ten tolerances of some 0.1 m.
         self.assertAlmostEqual(simulation.state.q[0], -4.403947088e-3, delta=1e-6)
         model.step = 1e-5

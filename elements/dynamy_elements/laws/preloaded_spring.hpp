@@ -37,7 +37,7 @@ class PreloadedSpring final : public SetValuedForceLaw {
   Status status(const LawInput& in, const double* argument) const override;
 
  private:
-  double x(const LawInput& in) const { return in.position ? in.position[0] : 0.0; }
+  double x(const LawInput& in) const { return in.position[0]; }
   convex::Interval interval(const LawInput& in) const;
   /// Λ − r (ξ + x/Δt).
   double argument(const LawInput& in, double r, double xi, double Lambda) const;

@@ -33,7 +33,7 @@ double StribeckCurve::operator()(double v) const {
 
 double StribeckCurve::at(const LawInput& in, int first, int k) const {
   double square = 0.0;
-  for (int i = first; in.gammaA && i < first + k; ++i) square += in.gammaA[i] * in.gammaA[i];
+  for (int i = first; i < first + k; ++i) square += in.gammaA[i] * in.gammaA[i];
   return (*this)(std::sqrt(square));
 }
 

@@ -272,7 +272,7 @@ GivenFriction::GivenFriction(const Parameters& x)
 
 double GivenFriction::radius(const LawInput& in) const {
   double square = 0.0;
-  for (int i = 0; in.gammaA && i < in.dim; ++i) square += in.gammaA[i] * in.gammaA[i];
+  for (int i = 0; i < in.dim; ++i) square += in.gammaA[i] * in.gammaA[i];
   return in.scale * in.dt * (square > in.rest * in.rest ? kinetic_ : static_);
 }
 

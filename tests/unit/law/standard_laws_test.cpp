@@ -36,8 +36,8 @@ class EllipseLaw final : public NormalTimesReservoir {
   double a_, b_;
 };
 
-LawInput input(int dim, double dt = 1.0, const double* gammaA = nullptr) {
-  return {dim, dt, gammaA, nullptr};
+LawInput input(int dim, double dt = 1.0, const double* gammaA = kZeroRows.data()) {
+  return {.dim = dim, .dt = dt, .gammaA = gammaA};
 }
 
 TEST(Bilateral, LeavesTheArgumentAsItIs) {
@@ -288,7 +288,7 @@ TEST(SimpleSets, AreThoseOfTheProjection) {
   EXPECT_TRUE(unchanged(coulomb, input(3), {2.0, 0.0, 2.0 * cone.upper}));
   EXPECT_FALSE(unchanged(coulomb, input(3), {2.0, 0.0, 2.1 * cone.upper}));
   const GivenFriction brake(2.0, 1.5);
-  for (const double* gammaA : {static_cast<const double*>(nullptr), moving}) {
+  for (const double* gammaA : {kZeroRows.data(), static_cast<const double*>(moving)}) {
     const LawInput in = input(1, 0.1, gammaA);
     const SimpleSet ball = brake.simpleSet(in);
     ASSERT_EQ(ball.shape, Shape::ball);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy_elements/contacts/search/shape_signals.hpp>
-#include <limits>
 
 namespace dynamy {
 namespace {
@@ -58,8 +57,7 @@ ContactNumbers numbers(const TouchingPair& pair, std::uint64_t f) {
 
 }  // namespace
 
-/// Adds the signals of two shapes with several contacts: the least gap, and normal forces and percussions
-/// of all contacts between them.
+/// Adds the signals of two shapes with several contacts: sums of their normal forces and percussions.
 void describePair(Description& d, std::uint64_t first, std::uint64_t end,
                   const std::string& prefix) {
   const auto sum = [first, end](const SignalView& v, const ContactSet& c, const ConstVec& Lambda) {
@@ -71,15 +69,6 @@ void describePair(Description& d, std::uint64_t first, std::uint64_t end,
     }
     return out;
   };
-  d.signal(prefix + "g", Unit::length, "least gap of the two shapes", [=](const SignalView& v) {
-    double least = std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t i = 0; i < v.contacts->candidateKey.size(); ++i) {
-      const std::uint64_t id = contactNumber(v.contacts->candidateKey[i]);
-      if (v.contacts->candidateElement[i] == v.element && id >= first && id < end)
-        least = std::fmin(least, v.contacts->g[i]);
-    }
-    return least;
-  });
   d.signal(prefix + "Lambda_N", Unit::impulse, "sum of the normal percussions of the step",
            [=](const SignalView& v) {
              return sum(v, v.stepContacts ? *v.stepContacts : *v.contacts,

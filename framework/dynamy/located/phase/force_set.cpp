@@ -121,7 +121,7 @@ bool forceSet(const SetValuedForceLaw& law, const LawInput& in, ForceSet& out, i
   }
   if (NotchedForce f; law.notched(in, f)) {
     // A slip with the sign of x has the force of that side, continued smoothly past x = 0.
-    const double x = in.position ? in.position[0] : 0.0;
+    const double x = in.position[0];
     out.form = Form::notch, out.lower = f.above - f.cAbove * x, out.upper = f.below - f.cBelow * x;
     return true;
   }
