@@ -276,6 +276,9 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
   if (!s.weightless.empty())
     out += fmt::format(" note: <Gravity> does not act on {}; their own formulas say their weight\n",
                        s.weightless);
+  const auto isGravity = [](const auto& force) { return force->type() == "Gravity"; };
+  if (s.nu > 0 && std::none_of(model.forces().begin(), model.forces().end(), isGravity))
+    out += " no <Gravity>: bodies have no weight\n";
   for (const Warning& w : s.start)
     out += fmt::format(" {}: {}: {}\n", says(w) == Says::note ? "note" : "warning", w.kind, w.text);
   // Contacts that are closed at the start may have a gap of the size of rounding.

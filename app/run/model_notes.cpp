@@ -9,9 +9,12 @@
 #include <dynamy/law/pair_laws.hpp>
 #include <numbers>
 #include <set>
+#include <sstream>
 
 namespace dynamy::app {
 namespace {
+
+constexpr int kMostNames = 5;
 
 std::string lineOf(const Place& place) { return Place(place.file, place.line).format(); }
 
@@ -46,6 +49,24 @@ std::string idleRules(const Model& model) {
                        rule->name().empty() ? "" : " name=\"" + rule->name() + '"',
                        lineOf(rule->place()), whyIdle(model, *rule));
   return out;
+}
+
+/// Bodies whose shapes have no material, beside others that have one: they pass through everything.
+std::string untouched(const Model& model) {
+  const std::set<std::string> carried = materialsOf(model);
+  const bool asked = !model.pairLaws().found().empty() || !model.pairLaws().idle().empty();
+  std::string names;
+  int count = 0;
+  for (std::size_t i = 0; i < model.systems().size() && asked; ++i) {
+    const std::vector<PlacedShape>& shapes = model.descriptions()[i].shapes;
+    const auto passes = [](const PlacedShape& p) { return p.shape->material().empty(); };
+    if (shapes.empty() || !std::all_of(shapes.begin(), shapes.end(), passes)) continue;
+    if (++count <= kMostNames)
+      names += (names.empty() ? "\"" : ", \"") + model.systems()[i]->name() + '"';
+  }
+  if (count == 0 || carried.empty()) return {};
+  return fmt::format(" note: {}{} touch{} nothing: the shapes have no material\n", names,
+                     count > kMostNames ? ", …" : "", count == 1 ? "es" : "");
 }
 
 /// A part that is included may bring a field of its own.
@@ -210,6 +231,67 @@ std::string nothingMoves(const Model& model, const XmlNode& root) {
                : std::string();
 }
 
+/// Bodies and ground with shapes, of which at most one has a material, and nothing else that could hold them.
+std::string noMaterials(const Model& model, const XmlNode& root) {
+  std::ptrdiff_t shaped = 0, touchable = 0;
+  for (const Description& d : model.descriptions()) {
+    shaped += d.shapes.empty() ? 0 : 1;
+    touchable += std::any_of(d.shapes.begin(), d.shapes.end(),
+                             [](const PlacedShape& p) { return !p.shape->material().empty(); });
+  }
+  const bool bare =
+      std::none_of(root.children.begin(), root.children.end(), [](const XmlNode& section) {
+        return section.tag == "include" || section.tag == "plugin" ||
+               (section.tag == "elements" && !section.children.empty());
+      });
+  if (!bare || shaped < 2 || touchable > 1) return {};
+  return fmt::format(
+      " note: {} a material: bodies pass through each other and through the ground\n",
+      touchable == 0 ? "no shape has" : "only one body or ground has a shape with");
+}
+
+/// The two names of an attribute between="A.frame B", in the order of the alphabet; none: it has others.
+std::pair<std::string, std::string> bodiesBetween(const XmlNode& node) {
+  const XmlAttribute* a = node.attribute("between");
+  if (a == nullptr || a->value.find('{') != std::string::npos) return {};
+  std::istringstream words(a->value);
+  std::string first, second, more;
+  if (!(words >> first >> second) || words >> more) return {};
+  for (std::string* name : {&first, &second}) name->resize(std::min(name->size(), name->find('.')));
+  return std::minmax(first, second);
+}
+
+/// Motors, stops and springs of a joint that are between two bodies which no element joins.
+std::string jointsForgotten(const XmlNode& root) {
+  static const std::set<std::string, std::less<>> kAtJoint{
+      "JointMotor",    "JointDrive", "JointStop",   "JointSpring",
+      "JointFriction", "JointForce", "PdController"};
+  std::set<std::pair<std::string, std::string>> joined;
+  for (const XmlNode& section : root.children) {
+    if (section.tag == "include") return {};
+    for (const XmlNode& node : section.children)
+      if (section.tag == "elements" && !kAtJoint.contains(node.tag))
+        joined.insert(bodiesBetween(node));
+  }
+  std::string out;
+  for (const XmlNode& section : root.children)
+    for (const XmlNode& node : section.children) {
+      const auto bodies = bodiesBetween(node);
+      if (!kAtJoint.contains(node.tag) || bodies.first.empty() || joined.contains(bodies)) continue;
+      out +=
+          fmt::format(" note: <{}> ({}) acts between \"{}\" and \"{}\", which no joint connects\n",
+                      node.tag, lineOf(node.place), bodies.first, bodies.second);
+    }
+  return out;
+}
+
+/// Rows or pictures further apart than the run is long.
+std::string longSampling(const Model& model) {
+  if (!(model.record.every > model.simulation.until)) return {};
+  return fmt::format(" note: a row is recorded every {:g} s, and the run ends at t = {:g} s\n",
+                     model.record.every, model.simulation.until);
+}
+
 /// A run whose end is that of the declaration.
 std::string unsaidEnd(const Model& model, const XmlNode& root) {
   const double until = SimulationSettings().until;
@@ -227,13 +309,15 @@ std::string ofText(const Model& model) {
   const XmlDocument document = XmlDocument::parse(model.file.text, model.file.name);
   const XmlNode& root = document.root();
   return unusedParameters(root) + realPartLast(root) + manyTurns(root) + upwardGravity(root) +
-         nothingMoves(model, root) + unsaidEnd(model, root);
+         nothingMoves(model, root) + noMaterials(model, root) + jointsForgotten(root) +
+         unsaidEnd(model, root);
 }
 
 }  // namespace
 
 std::string modelNotes(const Model& model) {
-  return idleRules(model) + severalGravities(model) + longStep(model) + ofText(model);
+  return idleRules(model) + untouched(model) + severalGravities(model) + longStep(model) +
+         longSampling(model) + ofText(model);
 }
 
 }  // namespace dynamy::app

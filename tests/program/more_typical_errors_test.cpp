@@ -240,6 +240,48 @@ TEST_F(MoreTypicalErrors, WhatMayBeMeantOtherwiseIsNoted) {
   expectNote(
       noteOf("</elements>", "<Contact between=\"steel ice\"><Unilateral/></Contact></elements>"),
       "never acts: no shape has the material \"ice\"");
+  expectNote(noteOf("</elements>",
+                    "<JointMotor between=\"block floor\" axis=\"0 1 0\" speed=\"1\" "
+                    "limit=\"2\"/></elements>"),
+             "note: <JointMotor> (m.xml:12) acts between \"block\" and \"floor\", which no joint "
+             "connects");
+  expectNote(noteOf("10ms", "2s"),
+             "note: a row is recorded every 2 s, and the run ends at t = 0.1 s");
+}
+
+TEST_F(MoreTypicalErrors, BodiesThatTouchNothingAreNoted) {
+  const auto model = [](const std::string& material, const std::string& more) {
+    const std::string m = material.empty() ? "" : " material=\"" + material + "\"";
+    return "<dynamy version=\"1\"><systems><Ground><HalfSpace" + m +
+           "/></Ground><RigidBody name=\"one\" position=\"0 0 1\"><Sphere radius=\"0.1\" "
+           "mass=\"1\"" +
+           m + "/></RigidBody><RigidBody name=\"two\" position=\"0 0 2\"><Sphere radius=\"0.1\" " +
+           "mass=\"1\"/></RigidBody></systems><forces><Gravity/></forces>" + more +
+           "<simulation until=\"0.1\" tolerance=\"1e-6\"/></dynamy>";
+  };
+  write("bare.xml", model("", ""));
+  EXPECT_EQ(call("check bare.xml"), 0) << err();
+  EXPECT_NE(out().find("note: no shape has a material: bodies pass through each other"),
+            std::string::npos)
+      << out();
+  write("one.xml",
+        model("m", "<elements><Contact between=\"m m\"><Unilateral/></Contact></elements>"));
+  EXPECT_EQ(call("check one.xml"), 0) << err();
+  EXPECT_NE(out().find("note: \"two\" touches nothing: the shapes have no material"),
+            std::string::npos)
+      << out();
+}
+
+TEST_F(MoreTypicalErrors, ValuesOfOneRunAreToldFromThoseOfASweep) {
+  write("m.xml", kTypicalModel);
+  EXPECT_NE(call("run m.xml --set mu=0.3,0.4 --out r"), 0);
+  EXPECT_NE(
+      err().find("one value is needed, with a point before decimals — dynamy sweep runs a model "
+                 "with many: --set NAME=A,B,C or --set NAME=FROM:TO:COUNT"),
+      std::string::npos)
+      << err();
+  EXPECT_NE(call("run m.xml --set block.mass=3 --out r"), 0);
+  EXPECT_NE(err().find("to vary it write <parameter name=\"mass\""), std::string::npos) << err();
 }
 
 }  // namespace

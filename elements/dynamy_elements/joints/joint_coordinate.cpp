@@ -114,7 +114,8 @@ void JointCoordinate::declare(Attributes& a) {
   kind.choices = {"angle", "displacement"};
   kind.mayBeAbsent();
   a.vector("axis", Unit::none, 3, "0 0 0",
-           "axis, fixed in A, at the start in the world; an angle between planar bodies has the "
+           "axis, fixed in A, at the start in the world; needed in space, an angle of planar "
+           "bodies has the "
            "normal of their plane");
   Attribute& at = a.add(AttributeType::vector, "at", std::nullopt,
                         "place of the joint at the start, in the world; default: origin of B");
@@ -170,7 +171,7 @@ bool JointCoordinate::isMirrored(const MirrorPlane& plane, const Element& owner)
   if (kindGiven_ ? angle_ : joints.suggestsAngle(axis_)) return plane.isNormal(axis_);
   if (!plane.isAlong(axis_)) return false;
   if (atGiven_) return plane.contains(at_);
-  return plane.contains(StartKinematics(*plane.topology).frame(frames.B).r_OS_I);
+  return plane.contains(StartKinematics(*plane.topology, {frames.B}).frame(frames.B).r_OS_I);
 }
 
 void JointCoordinate::connect(Topology& topology, const Element& owner) {
@@ -184,7 +185,7 @@ void JointCoordinate::connect(Topology& topology, const Element& owner) {
                      "add axis=\"…\", that of the joint between the two bodies");
   if (axis.cross(reference_).norm() < 1e-6 * axis.norm() * reference_.norm())
     throw ModelError("the reference lies along the axis", "it has to have a part across it");
-  const StartKinematics start(topology);
+  const StartKinematics start(topology, {frames_.A, frames_.B});
   const Vec3 at = atGiven_ ? at_ : start.frame(frames_.B).r_OS_I;
   joints.requireFree({angle_, axis, at}, place_);
   if (angle_) {

@@ -16,6 +16,16 @@ Mat3 triad(const Vec3& n) {
   return out;
 }
 
+/// The axis of a hinge: between planar bodies the normal of their plane, to the side that the model says.
+Vec3 hingeAxis(const JointStart& s) {
+  if (!planar(s.plane)) return s.axis_I;
+  // Rounding of a direction that the model writes with some figures: 1e-6.
+  if (s.axis_I.cross(s.plane).norm() > 1e-6)
+    throw ModelError("a hinge between planar bodies turns about the normal of their plane",
+                     "leave the axis out, or give that of the plane");
+  return s.axis_I.dot(s.plane) < 0.0 ? Vec3(-s.plane) : s.plane;
+}
+
 }  // namespace
 
 void Revolute::declare(Attributes& a) {
@@ -25,7 +35,9 @@ void Revolute::declare(Attributes& a) {
       "right "
       "hand about the axis; between -pi and pi), rate.");
   declareJoint(a);
-  declareAxis(a, "axis at the start, in the world; needed in space, planar bodies have their own");
+  declareAxis(a,
+              "axis at the start, in the world; needed in space; of planar bodies the normal of "
+              "their plane, whose side it may choose");
   declareFriction(a, "friction about the axis, e.g. GivenFriction");
   declareStart(a, Unit::angle, "value of the signal angle at the start");
   declareRotor(a, Unit::inertia);
@@ -38,8 +50,9 @@ void Revolute::build(JointRows& rows) const {
   rows.addPoint(e.col(0));
   rows.addPoint(e.col(1));
   if (planar(s.plane)) {
-    rows.addFree(JointRow::Kind::spin, s.plane);
-    rows.measureTurn(s.plane, e.col(0), "angle", "rate");
+    const Vec3 n = hingeAxis(s);
+    rows.addFree(JointRow::Kind::spin, n);
+    rows.measureTurn(n, e.col(0), "angle", "rate");
     return;
   }
   if (s.axis_I.isZero(0.0))
@@ -54,7 +67,7 @@ void Revolute::build(JointRows& rows) const {
 }
 
 bool Revolute::freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const {
-  out.push_back({FreeMotion::Kind::turn, planar(s.plane) ? s.plane : s.axis_I});
+  out.push_back({FreeMotion::Kind::turn, hingeAxis(s)});
   return true;
 }
 

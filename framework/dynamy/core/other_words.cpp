@@ -81,7 +81,7 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"option options physics simulator solveroptions settings experiment time", "", "time, step, scheme and solver stand in <simulation>"},
   {"output outputs log logging sensor recorder plot plots scope", "", "what is kept of a run stands in <record>"},
   {"accelerometer gyro gyroscope imu", "", "recorded quantities have names, <record signals=\"ball.vz\"/>; accelerations are none of them, they follow from velocities"},
-  {"keyframe key initial init initialcondition initialconditions initialstate", "", "the start is that of each body: <RigidBody position=\"…\" velocity=\"…\">"},
+  {"keyframe key initial init initialcondition initialconditions initialstate state startstate", "", "the start is that of each body: <RigidBody position=\"…\" velocity=\"…\">"},
   {"camera light viewpoint", "", "the picture needs none; its direction is <record view=\"xz\">"},
   {"asset assets texture", "", "shapes stand inside of their bodies: <RigidBody><Sphere colour=\"…\"/></RigidBody>"},
   {"variable var define property constant xacro", "", "a number with a name is <parameter>"},
@@ -90,7 +90,7 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"assert expect test", "", "an expected result is <check>"},
   {"library extension", "", "a library with further types is <plugin>"},
   {"description documentation comment note text title author", "", "text for people stands in <doc>"},
-  {"default", "", "attributes that elements of a type take if they lack them stand in <defaults>"},
+  {"default", "", "attributes that elements of a type take if they lack them stand in <defaults>, at an element of that type: <defaults><Sphere colour=\"red\"/></defaults>"},
 });
 
 constexpr auto kOtherAttributes = std::to_array<OtherWord>({

@@ -88,6 +88,9 @@ std::string otherShapes(const Shape& a, const Shape& b, bool thin, bool inSpace)
   if (thin)
     return "points, lines and circles have no thickness and would pass through: take a small "
            "Sphere or a Capsule";
+  if (a.type() == "Mesh" || b.type() == "Mesh")
+    return "a Mesh is ground: it touches neither half spaces nor other meshes; for bodies take a "
+           "<Polyhedron>, the convex hull of the same file or points";
   return "use balls and half spaces with all, boxes, polyhedra, capsules, "
          "cylinders, cones, tori, ellipsoids and smooth shapes with each other in space";
 }

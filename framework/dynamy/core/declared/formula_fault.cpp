@@ -46,6 +46,10 @@ std::string wordsWithSemicolons(std::string_view text) {
 std::string formulaHint(const ExpressionError& error) {
   if (!error.suggestion().empty()) return didYouMean(error.suggestion());
   const std::string message = error.message();
+  if (message.starts_with("unknown function "))
+    return "a function given by points is <Table of=\"…\" points=\"…\">, in <forces>; its signal "
+           "is "
+           "NAME.out";
   constexpr std::string_view kUnknown = "unknown symbol \"";
   if (!message.starts_with(kUnknown)) return {};
   const std::string name =
@@ -56,7 +60,13 @@ std::string formulaHint(const ExpressionError& error) {
 
 ModelError formulaFault(const ParameterValue& value, const ValuePart& formula,
                         const ExpressionError& error) {
-  return value.fault(error.message(), formulaHint(error), formula.offset + error.offset(),
+  std::string hint = formulaHint(error);
+  if (hint.starts_with("add <parameter ")) {
+    const std::size_t name = hint.find('"') + 1;
+    hint +=
+        "; a signal of an element is " + hint.substr(name, hint.find('"', name) - name) + ".NAME";
+  }
+  return value.fault(error.message(), std::move(hint), formula.offset + error.offset(),
                      error.length());
 }
 

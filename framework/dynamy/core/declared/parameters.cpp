@@ -200,9 +200,40 @@ std::vector<std::string> byOwners(const std::vector<std::string>& names) {
 
 }  // namespace
 
+namespace {
+
+/// "ball" and "ball[3]", where there are ball[0] to ball[2]: what their names are; else "".
+std::string copiesOf(std::string_view name, const std::vector<std::string>& known) {
+  const std::string stem = std::string(name.substr(0, name.find('['))) + '[';
+  if (name.find('.') != std::string_view::npos) return {};
+  const std::string *first = nullptr, *last = nullptr;
+  int count = 0;
+  for (const std::string& k : known)
+    if (k.starts_with(stem) && k.find(']') + 1 == k.size())
+      first = first == nullptr ? &k : first, last = &k, ++count;
+  if (count < 2) return {};
+  return "there are " + std::to_string(count) + ", \"" + *first + "\" to \"" + *last + '"';
+}
+
+/// "table-box.g" for "box-table.g", if it is known; else "".
+std::string otherWayRound(std::string_view name, const std::vector<std::string>& known) {
+  const std::size_t dot = std::min(name.find('.'), name.size());
+  for (std::size_t at = name.find('-'); at < dot; at = name.find('-', at + 1)) {
+    const std::string swapped = std::string(name.substr(at + 1, dot - at - 1)) + '-' +
+                                std::string(name.substr(0, at)) + std::string(name.substr(dot));
+    if (std::find(known.begin(), known.end(), swapped) != known.end()) return swapped;
+  }
+  return {};
+}
+
+}  // namespace
+
 std::string unknownNameHint(std::string_view name, const std::vector<std::string>& known) {
   if (const std::string meant = signalOfOthers(name, known); !meant.empty())
     return didYouMean(meant);
+  if (std::string copies = copiesOf(name, known); !copies.empty()) return copies;
+  if (const std::string other = otherWayRound(name, known); !other.empty())
+    return didYouMean(other);
   // Names of the same owner are the likeliest: "hinge.phi" means one of "hinge.angle", "hinge.g".
   const std::string_view owner = name.substr(0, name.rfind('.') + 1);
   std::vector<std::string> same, last;

@@ -95,7 +95,7 @@ class Lexer {
       // in names.
       if (r.wrong.front() != peek() || r.wrong == "π") continue;
       if (r.wrong == "[" && at_ > 0 && (isLetter(text_[at_ - 1]) || isDigit(text_[at_ - 1])))
-        throw ExpressionError("a name with an index stands in braces", at_, 1, inBraces());
+        refuseIndex();
       if (rest().starts_with(r.wrong) && !rest().starts_with("==") && !rest().starts_with("&&") &&
           !rest().starts_with("||")) {
         throw ExpressionError("unexpected character " + quoted(r.wrong), at_, r.wrong.size(),
@@ -110,6 +110,16 @@ class Lexer {
       return token;
     }
     throw ExpressionError("unexpected character " + quoted(rest().substr(0, 1)), at_, 1);
+  }
+
+  /// Only names of signals have an index, with a dot behind it: q[0] is none.
+  [[noreturn]] void refuseIndex() const {
+    const std::string name = inBraces();
+    if (!name.empty() && name.find('.') == std::string::npos)
+      throw ExpressionError(quoted(name.substr(1, name.size() - 2)) +
+                                " is no signal, which has a name such as ball.z or disc[3].z",
+                            at_, 1);
+    throw ExpressionError("a name with an index stands in braces", at_, 1, name);
   }
 
   /// "{disc[3].z}": the name around the index that begins here.

@@ -373,7 +373,7 @@ class Parser {
     for (std::size_t i = 0; i < std::min(known.size(), kMostNamesListed); ++i)
       message += " " + known[i];
     if (known.size() > kMostNamesListed) message += " …";
-    known.emplace_back("pi");
+    if (name.size() <= 2) known.emplace_back("pi");
     std::string near = name == "π" ? "pi" : nearest(name, known);
     if (name == "time" && symbols_.find("t") != nullptr) near = "t";
     // One letter is near to any other.

@@ -9,6 +9,21 @@
 namespace dynamy {
 namespace {
 
+/// "arm.tip" for "tip", where a body of this name has a <Frame> of that name; else "".
+std::string frameOfBody(const XmlNode& root, std::string_view name) {
+  const auto nameOf = [](const XmlNode& node) {
+    const XmlAttribute* a = node.attribute("name");
+    return a == nullptr ? std::string() : a->value;
+  };
+  for (const XmlNode& section : root.children)
+    for (const XmlNode& body : section.children)
+      for (const XmlNode& part : body.children)
+        if (section.tag == "systems" && part.tag == "Frame" && nameOf(part) == name &&
+            !nameOf(body).empty())
+          return nameOf(body) + '.' + std::string(name);
+  return {};
+}
+
 /// "a/b/" → "a/" → "".
 std::string outerPrefix(const std::string& prefix) {
   const std::size_t cut =
@@ -166,9 +181,11 @@ bool AttributeReader::read(const XmlNode& node, const Scope& scope, const Attrib
       const bool told =
           isMisspelt(a.name, node, declared, common) || scope.file().defaultsAreBroken;
       if (!told) {
-        const std::string unit =
+        std::string more =
             unitText(a.unit) == "-" ? std::string() : " [" + std::string(unitText(a.unit)) + ']';
-        faults_->add(scope, node.place, node, "missing attribute \"" + a.name + '"', a.text + unit);
+        for (const std::string& word : a.choices)
+          if (a.choices.size() > 1) more += (more.empty() ? ": " : ", ") + word;
+        faults_->add(scope, node.place, node, "missing attribute \"" + a.name + '"', a.text + more);
       }
     }
     x.values.push_back(std::move(value));
@@ -232,13 +249,16 @@ bool AttributeReader::resolveReferences(const Source& source, const XmlAttribute
     const std::string found = kind == "material" ? head : names_->resolve(head, scope, kind);
     if (found.empty() && mustExist) {
       const std::string what = kind == "frame" ? "system" : kind;
+      const std::string ofBody =
+          kind == "frame" ? frameOfBody(source.scope->document->root(), head) : std::string();
       const std::string withBlanks =
           value.declaration->type == AttributeType::names ? partedNames(word.text) : std::string();
       faults_->add(*source.scope,
                    sourcePlace(*source.scope->document, written, text, word.offset, dot),
                    *source.node, "unknown " + what + " \"" + head + '"',
-                   withBlanks.empty() ? unknownNameHint(head, names_->known(scope, kind))
-                                      : "names stand between blanks: \"" + withBlanks + '"');
+                   !withBlanks.empty() ? "names stand between blanks: \"" + withBlanks + '"'
+                   : !ofBody.empty()   ? didYouMean(ofBody)
+                                       : unknownNameHint(head, names_->known(scope, kind)));
       good = false;
     }
     full += (full.empty() ? "" : " ") + (found.empty() ? head : found) +

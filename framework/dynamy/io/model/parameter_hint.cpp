@@ -19,12 +19,25 @@ const XmlNode* holderOf(const XmlNode& node, const std::string& name) {
   return nullptr;
 }
 
+/// The first element below `node` that has this name; null: there is none.
+const XmlNode* named(const XmlNode& node, const std::string& name) {
+  const XmlAttribute* a = node.attribute("name");
+  if (a != nullptr && a->value == name) return &node;
+  for (const XmlNode& child : node.children)
+    if (const XmlNode* found = named(child, name)) return found;
+  return nullptr;
+}
+
 }  // namespace
 
-std::string parameterHint(const XmlNode& root, const std::string& name,
+std::string parameterHint(const XmlNode& root, const std::string& asked,
                           const std::vector<std::string>& known) {
-  const XmlNode* holder = holderOf(root, name);
-  if (holder == nullptr) return unknownNameHint(name, known);
+  // "box.mass" means the attribute of the element "box".
+  const std::size_t dot = asked.rfind('.');
+  const std::string name = dot == std::string::npos ? asked : asked.substr(dot + 1);
+  const XmlNode* within = dot == std::string::npos ? &root : named(root, asked.substr(0, dot));
+  const XmlNode* holder = within == nullptr ? nullptr : holderOf(*within, name);
+  if (holder == nullptr) return unknownNameHint(asked, known);
   const XmlAttribute& a = *holder->attribute(name);
   return fmt::format(
       "it is a number of <{}> ({}); to vary it write <parameter name=\"{}\" value=\"{}\"/> and "

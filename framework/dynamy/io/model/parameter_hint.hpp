@@ -7,9 +7,9 @@
 
 namespace dynamy {
 
-/// How a number that stands in an attribute `name` becomes a parameter, where the file below `root`
-/// has such an attribute; else the nearest of the names `known`.
-std::string parameterHint(const XmlNode& root, const std::string& name,
+/// How a number that stands in an attribute `asked` becomes a parameter, where the file below `root`
+/// has such an attribute ("box.mass": the mass of the element "box"); else the nearest of `known`.
+std::string parameterHint(const XmlNode& root, const std::string& asked,
                           const std::vector<std::string>& known);
 /// The same for the file of a model that was read.
 std::string parameterHint(const Model& model, const std::string& name,

@@ -7,6 +7,8 @@
 namespace dynamy {
 namespace {
 
+constexpr std::string_view kSweepValues = "--set NAME=A,B,C or --set NAME=FROM:TO:COUNT";
+
 /// The value of an override: a number with or without unit, or an expression of numbers in braces.
 /// Nothing: an error was reported.
 std::optional<double> overrideValue(const std::string& text,
@@ -26,9 +28,13 @@ std::optional<double> overrideValue(const std::string& text,
   value.text = text;
   value.given = true;
   if (const auto fault = readValue(number, value)) {
-    const bool computes = text.find_first_of("+*/^()") != std::string::npos;
-    report(fault->text +
-           (computes ? " — an expression stands in braces: '{" + text + "}'" : std::string()));
+    const bool computes = text.find_first_of("+*/^()") != std::string::npos,
+               several = text.find_first_of(",:") != std::string::npos;
+    report(several ? "one value is needed, with a point before decimals — dynamy sweep runs a "
+                     "model with many: " +
+                         std::string(kSweepValues)
+           : computes ? fault->text + " — an expression stands in braces: '{" + text + "}'"
+                      : fault->text);
     return std::nullopt;
   }
   return value.numbers[0];
