@@ -89,6 +89,7 @@ void CoordinateFrame::evaluate(const double* x, const double* w, Frame& out) con
     const Columns J(tape_->gradient(x, slots_), m, n);
     for (int j = 0; j < n; ++j) {
       out.J_S_I.col(j) = J.col(j).head<3>();
+      out.J_R_I.col(j).setZero();
       for (std::size_t k = 0; k < axes_.size(); ++k)
         out.J_R_I.col(j) += J(3 + static_cast<int>(k), j) * e[k];
     }

@@ -151,9 +151,10 @@ std::unique_ptr<CoordinateFrame> frame(const Given& given) {
       Parameters::of<CoordinateFrame>("CoordinateFrame", "bob", given));
 }
 
-/// Frame 0 of a system of two coordinates at t, q, u, with memory for its Jacobians.
+/// Frame 0 of a system of two coordinates at t, q, u, with memory for its Jacobians, in which a state
+/// before has left numbers.
 struct FrameAt {
-  std::vector<double> S = std::vector<double>(6, 0.0), R = std::vector<double>(6, 0.0);
+  std::vector<double> S = std::vector<double>(6, 7.0), R = std::vector<double>(6, 7.0);
   Frame f;
   FrameAt(const Given& given, double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u) {
     Parameters x = Parameters::of<Coordinates>("Coordinates", "toy", {{"q", "a b"}, {"M", "1;0;1"}})
