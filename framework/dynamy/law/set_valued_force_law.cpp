@@ -14,6 +14,10 @@
 namespace dynamy {
 namespace {
 
+/// Least part of a Newton step. On a hyperbola with axes in the ratio s a step overshoots by s³, so that
+/// 1/s² of it is right.
+constexpr double kLeastStep = 1e-14;
+
 constexpr int kMaxReservoir = kMostRows - 1;
 
 using ReservoirVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxReservoir, 1>;
@@ -42,8 +46,20 @@ struct Dual {
     residual = R.cwiseProduct(nu) + N * gradient - z;
     return -A.partialPivLu().solve(residual);
   }
+  /// Newton's step for R + N²/t ∇²(½ S_B²), t = N S_B(ν): the majorant ½ (t + N² S_B²/t) of N S_B touches it
+  /// at ν, and is quadratic for an ellipsoid. Called after newtonStep(ν).
+  ReservoirVec majorantStep(const ReservoirVec& nu) const {
+    ReservoirVec gradient(size());
+    ReservoirMat A(size(), size());
+    const double S = law.support(in, size(), nu.data(), gradient.data(), A.data());
+    A = N * A + N / S * gradient * gradient.transpose();
+    A.diagonal() += R;
+    return -A.partialPivLu().solve(residual);
+  }
   /// Turns ν until it separates z from N B, zᵀν > N S_B(ν); false: there is no such ν, z ∈ N B.
-  /// Newton's method for the convex problem min N S_B(ν) on the plane zᵀν = 1.
+  /// Newton's method for the convex problem min ½ (N S_B(ν))² on the plane zᵀν = 1. The square of an
+  /// ellipsoid's support is quadratic: one step, however different its axes are. S_B itself is a
+  /// hyperbola there, on which steps overshoot by the square of their distance from the minimum.
   bool separate(ReservoirVec& nu) const {
     // A point outside by less than this part of its length counts as inside: rounding.
     constexpr double kMargin = 1e-13;
@@ -53,17 +69,20 @@ struct Dual {
     for (int step = 0; step < 50; ++step) {
       const double NS = N * law.support(in, size(), nu.data(), g.data(), A.data());
       if (NS < 1.0 - kMargin) return true;
-      // The Hessian is singular along ν alone; c z zᵀ closes that gap and costs nothing on the
-      // plane.
-      A = N * A + NS * z * z.transpose();
+      A = N * NS * A + N * N * g * g.transpose();
+      g *= N * NS;
       const Eigen::PartialPivLU<ReservoirMat> lu(A);
-      const ReservoirVec Ag = lu.solve(N * g), Az = lu.solve(z);
+      const ReservoirVec Ag = lu.solve(g), Az = lu.solve(z);
       const ReservoirVec delta = Az * (z.dot(Ag) / z.dot(Az)) - Ag;
-      const double slope = N * g.dot(delta);
-      if (!(slope < -1e-15 * NS)) return false;
+      const double slope = g.dot(delta), least = NS * NS;
+      if (!(slope < -1e-15 * least)) return false;
+      const auto square = [&](double theta) {
+        const double at = N * S(nu + theta * delta);
+        return at * at;
+      };
       double theta = 1.0;
-      while (theta > 1e-6 && !(N * S(nu + theta * delta) < NS + 1e-4 * theta * slope)) theta *= 0.5;
-      if (theta <= 1e-6) return false;
+      while (theta > kLeastStep && !(square(theta) < least + 2e-4 * theta * slope)) theta *= 0.5;
+      if (theta <= kLeastStep) return false;
       nu += theta * delta;
     }
     return false;
@@ -162,21 +181,28 @@ void NormalTimesReservoir::project(const LawInput& in, double N, const double* r
   ReservoirVec nu = z.cwiseQuotient(R);
   if (!dual.separate(nu)) return;  // inside
 
-  // Damped Newton iteration: each step must reduce f.
+  // Each step must reduce f: a Newton step that reduces it as its slope promises, or else a step to the
+  // minimum of a majorant, doubled as long as that helps.
   constexpr int kMaxSteps = 100;
-  constexpr double kNear = 1e-7, kSolved = 1e-15;
+  constexpr double kNear = 1e-7, kSolved = 1e-15, kPromised = 0.1;
   nu *= (z.dot(nu) - N * dual.S(nu)) / nu.dot(R.cwiseProduct(nu));
   double value = dual.value(nu);
-  bool moved = true;
-  for (int step = 0; step < kMaxSteps && moved; ++step) {
-    const ReservoirVec delta = dual.newtonStep(nu);
+  for (int step = 0; step < kMaxSteps; ++step) {
+    ReservoirVec delta = dual.newtonStep(nu);
     if (dual.residual.norm() <= kNear * z.norm()) break;
-    moved = false;
-    for (double theta = 1.0; theta > 1e-6 && !moved; theta *= 0.5) {
-      const ReservoirVec trial = nu + theta * delta;
-      const double trialValue = dual.value(trial);
-      if (trialValue < value) nu = trial, value = trialValue, moved = true;
+    double theta = 1.0, next = dual.value(nu + delta);
+    if (!(next < value + kPromised * dual.residual.dot(delta))) {
+      delta = dual.majorantStep(nu);
+      next = dual.value(nu + delta);
+      while (theta > kLeastStep && !(next < value))
+        theta *= 0.5, next = dual.value(nu + theta * delta);
+      if (theta <= kLeastStep) break;
+      for (double more = 0.0; theta >= 1.0; theta *= 2.0, next = more) {
+        more = dual.value(nu + 2.0 * theta * delta);
+        if (!(more < next)) break;
+      }
     }
+    nu += theta * delta, value = next;
   }
 
   // Full Newton steps near the solution: f no longer resolves the last half of the digits, but its

@@ -8,6 +8,7 @@
 #include <dynamy/testing/check_element.hpp>
 #include <dynamy_elements/laws/drilling_friction.hpp>
 #include <numbers>
+#include <random>
 
 namespace dynamy {
 namespace {
@@ -180,6 +181,48 @@ TEST(DrillingFriction, DoesNotKnowDirections) {
       EXPECT_NEAR(turned[2], std::sin(angle) * first[1], 1e-12);
       EXPECT_NEAR(turned[3], first[3], 1e-12);
       EXPECT_NEAR(mirrored[3], -turned[3], 1e-12);
+    }
+  }
+}
+
+/// Projection of z onto the ellipsoid of semi-axes w in the metric 1/r: xᵢ = zᵢ/(1 + τ rᵢ/wᵢ²) with the
+/// root τ of Σ (xᵢ/wᵢ)² = 1, by bisection.
+Vec3 onEllipsoid(const Vec3& w, const Vec3& r, const Vec3& z) {
+  const auto at = [&](double tau) {
+    return Vec3(z.array() / (1.0 + tau * r.array() / w.array().square()));
+  };
+  const auto outside = [&](double tau) { return at(tau).cwiseQuotient(w).squaredNorm() > 1.0; };
+  if (!outside(0.0)) return z;
+  double low = 0.0, high = 1e-12;
+  while (outside(high)) low = high, high *= 4.0;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (outside(middle) ? low : high) = middle;
+  }
+  return at(low);
+}
+
+TEST(DrillingFriction, ProjectsOntoEllipsoidsOfAnyAxes) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto power = [&](double most) { return std::pow(10.0, most * unit(random)); };
+  for (const double radius : {1e-6, 1e-4, 1e-2, 1.0, 1e3}) {
+    const UnilateralDrilling law(0.3, radius, Set::ellipsoid);
+    for (int k = 0; k < 2000; ++k) {
+      const double N = power(2.0);
+      const Vec3 w = 0.3 * N * Vec3(1.0, 1.0, 2.0 / 3.0 * radius);
+      const double r[4] = {1.0, power(1.5), power(1.5), power(1.5)}, xi[4] = {};
+      double Lambda[4] = {N, 0.0, 0.0, 0.0};
+      Vec3 z;
+      for (int i = 0; i < 3; ++i) z[i] = unit(random) * power(2.0) * (k % 3 != 0 ? w[i] : w[0]);
+      std::copy(z.data(), z.data() + 3, Lambda + 1);
+      law.prox({.dim = 4, .dt = 1.0}, r, xi, Lambda);
+      const Vec3 x = onEllipsoid(w, Vec3(r[1], r[2], r[3]), z),
+                 off = (Vec3(Lambda[1], Lambda[2], Lambda[3]) - x).cwiseQuotient(w);
+      // x = z − R ν has the rounding of z; the bisection that of its 200 steps.
+      const double rounding = 32.0 * 2.3e-16 * (1.0 + z.cwiseAbs().maxCoeff() / w.minCoeff());
+      ASSERT_LE(off.cwiseAbs().maxCoeff(), rounding)
+          << "radius " << radius << ", N " << N << ", z/w " << z.cwiseQuotient(w).transpose();
     }
   }
 }

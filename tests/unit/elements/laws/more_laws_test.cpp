@@ -121,10 +121,18 @@ TEST(UnilateralOrthotropic, StopsWhereTheExactMotionStops) {
 }
 
 TEST(UnilateralDrilling, FulfilsTheDefinitionsOfALaw) {
-  for (const auto set : {UnilateralDrilling::Set::contensou, UnilateralDrilling::Set::ellipsoid}) {
-    const Verdict result = checkLaw(UnilateralDrilling(0.3, 0.4, set), 4);
-    EXPECT_TRUE(result) << result.message();
-  }
+  // A point outside a set of very different axes counted as inside: the patch of a tippe top is 0.1 mm.
+  using Set = UnilateralDrilling::Set;
+  for (const auto& [set, radius] : {std::pair{Set::contensou, 0.05}, std::pair{Set::contensou, 0.4},
+                                    std::pair{Set::contensou, 3.0}, std::pair{Set::ellipsoid, 1e-4},
+                                    std::pair{Set::ellipsoid, 1e-3}, std::pair{Set::ellipsoid, 0.4},
+                                    std::pair{Set::ellipsoid, 100.0}})
+    for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+      CheckOptions options;
+      options.seed = seed;
+      const Verdict result = checkLaw(UnilateralDrilling(0.3, radius, set), 4, options);
+      EXPECT_TRUE(result) << radius << ": " << result.message();
+    }
 }
 
 TEST(UnilateralDrilling, HasTheCurveOfEllipticIntegrals) {
