@@ -125,7 +125,9 @@ void SpringDamper::describe(Description& d) const {
 void TorsionSpring::declare(Attributes& a) {
   a.about(
       "Spring and damper about an axis: M = c (psi - psi0) + d psi', for bodies that turn against "
-      "each other about this axis. The angle psi is 0 where the axes of A and B are parallel, and "
+      "each other about this axis; where they tilt as well it acts on the part psi of their turn "
+      "that is "
+      "about the axis. The angle psi is 0 where the axes of A and B are parallel, and "
       "lies between -pi and pi. Signals: angle, moment.");
   FramePair::declare(a);
   a.vector("axis", Unit::none, 3, "0 0 1", "axis in axes of A").notZero();
@@ -145,30 +147,40 @@ TorsionSpring::TorsionSpring(const Parameters& x)
       angle_(x["angle"]),
       stiff_(isStiff(x)) {}
 
-double TorsionSpring::angle(const Kinematics& k) const {
-  const Mat3 relative = k.frame(frames_.A).A_IK.transpose() * k.frame(frames_.B).A_IK;
+// With the quaternion (w, v) of B against A and the axis a, ψ = 2 atan2(v·a, w); from ẇ = −½ v·Ω and
+// v̇ = ½ (w Ω + Ω × v) follows ψ̇ = Ω · (a + (n (v − n a) + w v × a)/(w² + n²)), n = v·a. A moment along a
+// alone would take energy from bodies that tilt.
+double TorsionSpring::angle(const Kinematics& k, Vec3* gradient_I) const {
+  const Mat3& A_IA = k.frame(frames_.A).A_IK;
+  const Mat3 relative = A_IA.transpose() * k.frame(frames_.B).A_IK;
   const Eigen::Quaterniond p(relative);
-  const double half = std::atan2(p.vec().dot(axis_A_), p.w());
-  return std::remainder(2.0 * half, 2.0 * std::numbers::pi);
+  const Vec3 v = p.vec();
+  const double n = v.dot(axis_A_), w = p.w(), square = w * w + n * n;
+  if (gradient_I != nullptr) {
+    const Vec3 tilt = n * (v - n * axis_A_) + w * v.cross(axis_A_);
+    *gradient_I = A_IA * (axis_A_ + (square > 0.0 ? Vec3(tilt / square) : Vec3(Vec3::Zero())));
+  }
+  return std::remainder(2.0 * std::atan2(n, w), 2.0 * std::numbers::pi);
 }
 
 void TorsionSpring::addTo(const Kinematics& k, ForceSink& sink) const {
   const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B);
-  const Vec3 axis_I = A.A_IK * axis_A_;
-  const Vec3 spring = stiffness_ * (angle(k) - angle_) * axis_I;
+  Vec3 gradient;
+  const Vec3 spring = stiffness_ * (angle(k, &gradient) - angle_) * gradient;
   sink.hasPotential(true);
   sink.moment(A, spring);
   sink.moment(B, -spring);
   if (damping_ == 0.0) return;
-  const Vec3 damper = damping_ * axis_I.dot(B.Omega_I - A.Omega_I) * axis_I;
+  const Vec3 damper = damping_ * gradient.dot(B.Omega_I - A.Omega_I) * gradient;
   sink.hasPotential(false);
   sink.moment(A, damper);
   sink.moment(B, -damper);
 }
 
 void TorsionSpring::addStiffness(const Kinematics& k, StiffnessSink& sink) const {
-  const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B);
-  sink.torsion(A, B, A.A_IK * axis_A_, stiffness_, damping_);
+  Vec3 gradient;
+  angle(k, &gradient);
+  sink.torsion(k.frame(frames_.A), k.frame(frames_.B), gradient, stiffness_, damping_);
 }
 
 double TorsionSpring::potentialEnergy(const Kinematics& k) const {
@@ -181,9 +193,11 @@ void TorsionSpring::describe(Description& d) const {
   d.signal("angle", Unit::angle, "angle of B against A",
            [this](const SignalView& v) { return angle(*v.kinematics); });
   d.signal("moment", Unit::torque, "moment on A about the axis", [this](const SignalView& v) {
-    const Frame &A = v.kinematics->frame(frames_.A), &B = v.kinematics->frame(frames_.B);
-    const double rate = (A.A_IK * axis_A_).dot(B.Omega_I - A.Omega_I);
-    return stiffness_ * (angle(*v.kinematics) - angle_) + damping_ * rate;
+    Vec3 gradient;
+    const double psi = angle(*v.kinematics, &gradient);
+    const Vec3 Omega =
+        v.kinematics->frame(frames_.B).Omega_I - v.kinematics->frame(frames_.A).Omega_I;
+    return stiffness_ * (psi - angle_) + damping_ * gradient.dot(Omega);
   });
 }
 

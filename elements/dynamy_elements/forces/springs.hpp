@@ -48,8 +48,9 @@ class TorsionSpring final : public ExternalForce {
   void addStiffness(const Kinematics& k, StiffnessSink& sink) const override;
 
  private:
-  /// Angle of B relative to A about the axis, in (−π, π] [rad].
-  double angle(const Kinematics& k) const;
+  /// Angle ψ of B relative to A about the axis, in (−π, π] [rad]; ψ̇ = gradient · (Ω_B − Ω_A), in I. Where
+  /// B has turned about the axis alone the gradient is the axis.
+  double angle(const Kinematics& k, Vec3* gradient_I = nullptr) const;
   FramePair frames_;
   Vec3 axis_A_;
   double stiffness_, damping_, angle_;

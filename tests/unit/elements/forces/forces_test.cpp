@@ -132,6 +132,19 @@ TEST(TorsionSpring, IsTheGradientOfItsPotentialBetweenPlanarBodies) {
   expectPotentialFits(m);
 }
 
+TEST(TorsionSpring, IsTheGradientOfItsPotentialWhereBodiesTilt) {
+  Model m;
+  m.add<Ground>("world", {});
+  m.add<RigidBody>("a", {{"mass", 1.0}, {"inertia", {0.2, 0.3, 0.4}}, {"euler", {0.3, -0.2, 0.5}}});
+  m.add<RigidBody>("b", {{"mass", 1.0}, {"inertia", {0.3, 0.3, 0.2}}, {"euler", {-0.4, 0.6, 0.1}}});
+  m.add<TorsionSpring>("s", {{"between", "a b"},
+                             {"axis", {0.6, 0.0, 0.8}},
+                             {"stiffness", 5.0},
+                             {"damping", 1.0},
+                             {"angle", 0.2}});
+  expectPotentialFits(m);
+}
+
 TEST(TorsionSpring, ReadsTheAngleOfThePlane) {
   Model m;
   m.add<Ground>("world", {});
