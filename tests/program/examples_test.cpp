@@ -76,6 +76,8 @@ TEST_F(Examples, OfEveryTypeRun) {
     EXPECT_EQ(call("run example.xml --until 0.01 --out o"), 0)
         << type.name << "\n"
         << err() << readWholeFile(path("example.xml"));
+    // Differences of all elements at random states.
+    EXPECT_EQ(call("check example.xml --elements"), 0) << type.name << "\n" << out() << err();
   }
 }
 
@@ -139,6 +141,24 @@ TEST_F(Examples, EveryModelFitsTheSchema) {
     ++models;
   }
   EXPECT_GT(models, 10);
+}
+
+TEST_F(Examples, ElementsOfTheModelsFitTheirOwnDerivatives) {
+  // Differences of all elements at random states. Models of more coordinates take up to a minute.
+  constexpr int kMostCoordinates = 1000;
+  int models = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(DYNAMY_SOURCE_DIR) / "models")) {
+    if (entry.path().extension() != ".xml") continue;
+    const std::string model = "'" + entry.path().string() + "'";
+    call("check " + model);
+    std::smatch q;
+    const std::string text = out();
+    ASSERT_TRUE(std::regex_search(text, q, std::regex("\n q ([0-9]+) "))) << text << err();
+    if (std::stoi(q[1].str()) > kMostCoordinates) continue;
+    EXPECT_EQ(call("check --elements " + model), 0) << out() << err();
+    ++models;
+  }
+  EXPECT_GT(models, 80);
 }
 
 TEST_F(Examples, ReaderAndSchemaRefuseTheSameMistakes) {

@@ -293,6 +293,10 @@ void Grains::gyroscopicAtMean(double, ConstVec, ConstVec uA, double dt, Vec h) c
 
 void Grains::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {
   for (std::size_t i = 0; i < grains_.size(); ++i) {
+    if (GrainExchange::absent(q.data() + 7 * i)) {
+      part(qdot, i, 7).setZero();
+      continue;
+    }
     part(qdot, i, 7).head<3>() = part(u, i, 6).head<3>();
     quaternionRate(q.data() + 7 * i + 3, part(u, i, 6).tail<3>(), qdot.data() + 7 * i + 3);
   }

@@ -145,8 +145,9 @@ void LawCheck::checkSolution() {
   law_.prox(input(), other.data(), xi_.data(), same.data());
   if (!((same - p_).norm() <= tolerance))
     fault(fmt::format(
-        "Lambda = {}, xi = {} solves Lambda = prox(Lambda - r xi) with r = {}, not with {}",
-        text(p_), text(xi_), text(r_), text(other)));
+        "Lambda = {}, xi = {} solves Lambda = prox(Lambda - r xi) with r = {}, not with {}: off by "
+        "{:.2g}",
+        text(p_), text(xi_), text(r_), text(other), (same - p_).norm()));
   const double rho = other[0],
                worst = 4.0 * kProjection * scale_ * std::max(1.0, rho / r_.minCoeff());
   const Rows e = naturalMap(rho, xi_, p_);
