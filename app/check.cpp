@@ -36,6 +36,7 @@ struct Sizes {
   int nq = 0, nu = 0, blocks = 0, constantBlocks = 0;
   std::size_t gaps = 0;          ///< reported by the contact elements
   int closed = 0, unknowns = 0;  ///< closed contacts, and their rows
+  bool bodies = false;           ///< gravity would act on some
   double energy = 0.0;           ///< T + V [J]
   Worst penetration;
   StartOverlap overlap;        ///< the deepest relative to the size of the bodies
@@ -158,6 +159,11 @@ Sizes measured(Model& model) {
   EnergyMeter meter(model);
   s.energy = meter.kinetic(x) + meter.potential(x);
   s.weightless = weightless(model, x);
+  for (std::size_t i = 0; i < model.systems().size(); ++i) {
+    const SystemHandle& h = model.topology().system(static_cast<int>(i));
+    s.bodies =
+        s.bodies || (h.nu > 0 && model.systems()[i]->feelsGravity({x.q.data() + h.q0, h.nq}));
+  }
   s.evaluation = evaluationTime(system, x);
   s.memory = usedMemory();
   return s;
@@ -277,7 +283,7 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
     out += fmt::format(" note: <Gravity> does not act on {}; their own formulas say their weight\n",
                        s.weightless);
   const auto isGravity = [](const auto& force) { return force->type() == "Gravity"; };
-  if (s.nu > 0 && std::none_of(model.forces().begin(), model.forces().end(), isGravity))
+  if (s.bodies && std::none_of(model.forces().begin(), model.forces().end(), isGravity))
     out += " no <Gravity>: bodies have no weight\n";
   for (const Warning& w : s.start)
     out += fmt::format(" {}: {}: {}\n", says(w) == Says::note ? "note" : "warning", w.kind, w.text);

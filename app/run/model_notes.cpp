@@ -51,24 +51,6 @@ std::string idleRules(const Model& model) {
   return out;
 }
 
-/// Bodies whose shapes have no material, beside others that have one: they pass through everything.
-std::string untouched(const Model& model) {
-  const std::set<std::string> carried = materialsOf(model);
-  const bool asked = !model.pairLaws().found().empty() || !model.pairLaws().idle().empty();
-  std::string names;
-  int count = 0;
-  for (std::size_t i = 0; i < model.systems().size() && asked; ++i) {
-    const std::vector<PlacedShape>& shapes = model.descriptions()[i].shapes;
-    const auto passes = [](const PlacedShape& p) { return p.shape->material().empty(); };
-    if (shapes.empty() || !std::all_of(shapes.begin(), shapes.end(), passes)) continue;
-    if (++count <= kMostNames)
-      names += (names.empty() ? "\"" : ", \"") + model.systems()[i]->name() + '"';
-  }
-  if (count == 0 || carried.empty()) return {};
-  return fmt::format(" note: {}{} touch{} nothing: the shapes have no material\n", names,
-                     count > kMostNames ? ", …" : "", count == 1 ? "es" : "");
-}
-
 /// A part that is included may bring a field of its own.
 std::string severalGravities(const Model& model) {
   std::string places;
@@ -239,12 +221,19 @@ std::string noMaterials(const Model& model, const XmlNode& root) {
     touchable += std::any_of(d.shapes.begin(), d.shapes.end(),
                              [](const PlacedShape& p) { return !p.shape->material().empty(); });
   }
-  const bool bare =
-      std::none_of(root.children.begin(), root.children.end(), [](const XmlNode& section) {
-        return section.tag == "include" || section.tag == "plugin" ||
-               (section.tag == "elements" && !section.children.empty());
+  const bool falls =
+      std::all_of(root.children.begin(), root.children.end(), [](const XmlNode& section) {
+        const std::vector<XmlNode>& nodes = section.children;
+        if (section.tag == "include" || section.tag == "plugin" || section.tag == "replicate")
+          return false;
+        if (section.tag == "elements") return nodes.empty();
+        if (section.tag == "systems")
+          return std::all_of(nodes.begin(), nodes.end(), movesByForcesAlone);
+        return section.tag != "forces" ||
+               std::all_of(nodes.begin(), nodes.end(),
+                           [](const XmlNode& node) { return node.tag == "Gravity"; });
       });
-  if (!bare || shaped < 2 || touchable > 1) return {};
+  if (!falls || shaped < 2 || touchable > 1) return {};
   return fmt::format(
       " note: {} a material: bodies pass through each other and through the ground\n",
       touchable == 0 ? "no shape has" : "only one body or ground has a shape with");
@@ -261,26 +250,67 @@ std::pair<std::string, std::string> bodiesBetween(const XmlNode& node) {
   return std::minmax(first, second);
 }
 
-/// Motors, stops and springs of a joint that are between two bodies which no element joins.
-std::string jointsForgotten(const XmlNode& root) {
+/// True: the element acts in the coordinate of a joint.
+bool actsAtJoint(const XmlNode& node) {
   static const std::set<std::string, std::less<>> kAtJoint{
       "JointMotor",    "JointDrive", "JointStop",   "JointSpring",
       "JointFriction", "JointForce", "PdController"};
-  std::set<std::pair<std::string, std::string>> joined;
-  for (const XmlNode& section : root.children) {
-    if (section.tag == "include") return {};
-    for (const XmlNode& node : section.children)
-      if (section.tag == "elements" && !kAtJoint.contains(node.tag))
-        joined.insert(bodiesBetween(node));
+  return kAtJoint.contains(node.tag);
+}
+
+/// Bodies that elements join to others or hold; of copies the name without its index.
+std::set<std::string> joinedBodies(const XmlNode& root, bool all) {
+  std::set<std::string> out;
+  for (const XmlNode& section : root.children)
+    for (const XmlNode& node : section.children) {
+      if (section.tag != "elements" || (!all && actsAtJoint(node))) continue;
+      const auto [first, second] = bodiesBetween(node);
+      for (const std::string* name : {&first, &second})
+        if (!name->empty()) out.insert(name->substr(0, name->find('[')));
+    }
+  return out;
+}
+
+/// Free bodies whose shapes have no material, beside others that have one: they pass through everything.
+std::string untouched(const Model& model, const XmlNode& root) {
+  const bool asked = !model.pairLaws().found().empty() || !model.pairLaws().idle().empty();
+  if (!asked || materialsOf(model).empty()) return {};
+  const std::set<std::string> held = joinedBodies(root, true);
+  std::string names;
+  int count = 0;
+  for (std::size_t i = 0; i < model.systems().size(); ++i) {
+    const std::vector<PlacedShape>& shapes = model.descriptions()[i].shapes;
+    const std::string& name = model.systems()[i]->name();
+    const auto passes = [](const PlacedShape& p) { return p.shape->material().empty(); };
+    const bool still = model.topology().system(static_cast<int>(i)).nu == 0;
+    if (still || shapes.empty() || held.contains(name.substr(0, name.find('[')))) continue;
+    if (!std::all_of(shapes.begin(), shapes.end(), passes)) continue;
+    if (++count <= kMostNames) names += (names.empty() ? "\"" : ", \"") + name + '"';
   }
+  if (count == 0) return {};
+  return fmt::format(" note: {}{} touch{} nothing: the shapes have no material\n", names,
+                     count > kMostNames ? ", …" : "", count == 1 ? "es" : "");
+}
+
+/// Motors, stops and springs of a joint between two bodies, one of which moves and is held by no joint.
+std::string jointsForgotten(const Model& model, const XmlNode& root) {
+  for (const XmlNode& section : root.children)
+    if (section.tag == "include") return {};
+  const std::set<std::string> held = joinedBodies(root, false);
+  const auto isFree = [&](const std::string& name) {
+    for (std::size_t i = 0; i < model.systems().size(); ++i)
+      if (model.systems()[i]->name() == name)
+        return model.topology().system(static_cast<int>(i)).nu > 0 && !held.contains(name);
+    return false;
+  };
   std::string out;
   for (const XmlNode& section : root.children)
     for (const XmlNode& node : section.children) {
-      const auto bodies = bodiesBetween(node);
-      if (!kAtJoint.contains(node.tag) || bodies.first.empty() || joined.contains(bodies)) continue;
+      const auto [first, second] = bodiesBetween(node);
+      if (!actsAtJoint(node) || !(isFree(first) || isFree(second))) continue;
       out +=
           fmt::format(" note: <{}> ({}) acts between \"{}\" and \"{}\", which no joint connects\n",
-                      node.tag, lineOf(node.place), bodies.first, bodies.second);
+                      node.tag, lineOf(node.place), first, second);
     }
   return out;
 }
@@ -309,15 +339,15 @@ std::string ofText(const Model& model) {
   const XmlDocument document = XmlDocument::parse(model.file.text, model.file.name);
   const XmlNode& root = document.root();
   return unusedParameters(root) + realPartLast(root) + manyTurns(root) + upwardGravity(root) +
-         nothingMoves(model, root) + noMaterials(model, root) + jointsForgotten(root) +
-         unsaidEnd(model, root);
+         nothingMoves(model, root) + noMaterials(model, root) + untouched(model, root) +
+         jointsForgotten(model, root) + unsaidEnd(model, root);
 }
 
 }  // namespace
 
 std::string modelNotes(const Model& model) {
-  return idleRules(model) + untouched(model) + severalGravities(model) + longStep(model) +
-         longSampling(model) + ofText(model);
+  return idleRules(model) + severalGravities(model) + longStep(model) + longSampling(model) +
+         ofText(model);
 }
 
 }  // namespace dynamy::app

@@ -6,7 +6,8 @@ namespace dynamy {
 
 void ReservoirSwitch::declare(Attributes& a, const std::string& variables) {
   a.add(AttributeType::expression, "scale", "",
-        "factor ≥ 0 on the force reservoir of the law, a formula of " + variables);
+        "factor on the force reservoir of the law, a formula of " + variables +
+            "; below 0 it counts as 0");
   a.add(AttributeType::expression, "engage", "",
         "the law acts once this formula of " + variables +
             " is positive at the end of a step; default: always");

@@ -16,10 +16,9 @@ void limit(Attributes& a, const char* name, const char* text) {
 }
 
 void declareScale(Attributes& a) {
-  a.add(
-       AttributeType::expression, "scale", std::nullopt,
-       "factor >= 0 on the force of the law as a formula of t and signals: what presses a brake or "
-       "a clutch; default: 1")
+  a.add(AttributeType::expression, "scale", std::nullopt,
+        "factor on the force of the law as a formula of t and signals, what presses a brake or a "
+        "clutch; below 0 it counts as 0; default: 1")
       .mayBeAbsent();
 }
 
