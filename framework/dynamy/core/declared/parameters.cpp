@@ -219,8 +219,8 @@ std::string copiesOf(std::string_view name, const std::vector<std::string>& know
 std::string otherWayRound(std::string_view name, const std::vector<std::string>& known) {
   const std::size_t dot = std::min(name.find('.'), name.size());
   for (std::size_t at = name.find('-'); at < dot; at = name.find('-', at + 1)) {
-    const std::string swapped = std::string(name.substr(at + 1, dot - at - 1)) + '-' +
-                                std::string(name.substr(0, at)) + std::string(name.substr(dot));
+    std::string swapped = std::string(name.substr(at + 1, dot - at - 1)) + '-' +
+                          std::string(name.substr(0, at)) + std::string(name.substr(dot));
     if (std::find(known.begin(), known.end(), swapped) != known.end()) return swapped;
   }
   return {};
