@@ -239,15 +239,17 @@ std::string noMaterials(const Model& model, const XmlNode& root) {
       touchable == 0 ? "no shape has" : "only one body or ground has a shape with");
 }
 
-/// The two names of an attribute between="A.frame B", in the order of the alphabet; none: it has others.
+/// The two bodies of an attribute between="A.frame B"; of copies the name without its index. Empty: it has
+/// others.
 std::pair<std::string, std::string> bodiesBetween(const XmlNode& node) {
   const XmlAttribute* a = node.attribute("between");
-  if (a == nullptr || a->value.find('{') != std::string::npos) return {};
+  if (a == nullptr) return {};
   std::istringstream words(a->value);
   std::string first, second, more;
   if (!(words >> first >> second) || words >> more) return {};
-  for (std::string* name : {&first, &second}) name->resize(std::min(name->size(), name->find('.')));
-  return std::minmax(first, second);
+  for (std::string* name : {&first, &second})
+    name->resize(std::min(name->size(), name->find_first_of(".[{")));
+  return {first, second};
 }
 
 /// True: the element acts in the coordinate of a joint.
@@ -258,18 +260,24 @@ bool actsAtJoint(const XmlNode& node) {
   return kAtJoint.contains(node.tag);
 }
 
-/// Bodies that elements join to others or hold; of copies the name without its index.
+/// Calls f(element) for all elements of all sections, also those of replicates.
+template <class F>
+void forElements(const XmlNode& node, const F& f) {
+  for (const XmlNode& child : node.children) f(child), forElements(child, f);
+}
+
+/// Bodies that joints hold; `all`: also those between which motors, stops and springs act.
 std::set<std::string> joinedBodies(const XmlNode& root, bool all) {
   std::set<std::string> out;
-  for (const XmlNode& section : root.children)
-    for (const XmlNode& node : section.children) {
-      if (section.tag != "elements" || (!all && actsAtJoint(node))) continue;
-      const auto [first, second] = bodiesBetween(node);
-      for (const std::string* name : {&first, &second})
-        if (!name->empty()) out.insert(name->substr(0, name->find('[')));
-    }
+  forElements(root, [&](const XmlNode& node) {
+    const auto [first, second] = bodiesBetween(node);
+    if (node.tag == "Contact" || node.tag == "NoContact" || (!all && actsAtJoint(node))) return;
+    out.insert({first, second});
+  });
   return out;
 }
+
+std::string withoutIndex(const std::string& name) { return name.substr(0, name.find('[')); }
 
 /// Free bodies whose shapes have no material, beside others that have one: they pass through everything.
 std::string untouched(const Model& model, const XmlNode& root) {
@@ -283,7 +291,7 @@ std::string untouched(const Model& model, const XmlNode& root) {
     const std::string& name = model.systems()[i]->name();
     const auto passes = [](const PlacedShape& p) { return p.shape->material().empty(); };
     const bool still = model.topology().system(static_cast<int>(i)).nu == 0;
-    if (still || shapes.empty() || held.contains(name.substr(0, name.find('[')))) continue;
+    if (still || shapes.empty() || held.contains(withoutIndex(name))) continue;
     if (!std::all_of(shapes.begin(), shapes.end(), passes)) continue;
     if (++count <= kMostNames) names += (names.empty() ? "\"" : ", \"") + name + '"';
   }
@@ -292,30 +300,30 @@ std::string untouched(const Model& model, const XmlNode& root) {
                      count > kMostNames ? ", …" : "", count == 1 ? "es" : "");
 }
 
-/// Motors, stops and springs of a joint between two bodies, one of which moves and is held by no joint.
+/// Motors, stops and springs of a joint between two bodies, one of which moves and is held by no joint. What
+/// is included may hold it.
 std::string jointsForgotten(const Model& model, const XmlNode& root) {
-  for (const XmlNode& section : root.children)
-    if (section.tag == "include") return {};
+  bool includes = false;
+  forElements(root, [&](const XmlNode& node) { includes = includes || node.tag == "include"; });
+  if (includes) return {};
   const std::set<std::string> held = joinedBodies(root, false);
   const auto isFree = [&](const std::string& name) {
     for (std::size_t i = 0; i < model.systems().size(); ++i)
-      if (model.systems()[i]->name() == name)
+      if (withoutIndex(model.systems()[i]->name()) == name)
         return model.topology().system(static_cast<int>(i)).nu > 0 && !held.contains(name);
     return false;
   };
   std::string out;
-  for (const XmlNode& section : root.children)
-    for (const XmlNode& node : section.children) {
-      const auto [first, second] = bodiesBetween(node);
-      if (!actsAtJoint(node) || !(isFree(first) || isFree(second))) continue;
-      out +=
-          fmt::format(" note: <{}> ({}) acts between \"{}\" and \"{}\", which no joint connects\n",
-                      node.tag, lineOf(node.place), first, second);
-    }
+  forElements(root, [&](const XmlNode& node) {
+    const auto [first, second] = bodiesBetween(node);
+    if (!actsAtJoint(node) || !(isFree(first) || isFree(second))) return;
+    out += fmt::format(" note: <{}> ({}) acts between \"{}\" and \"{}\", which no joint connects\n",
+                       node.tag, lineOf(node.place), first, second);
+  });
   return out;
 }
 
-/// Rows or pictures further apart than the run is long.
+/// Rows further apart than the run is long.
 std::string longSampling(const Model& model) {
   if (!(model.record.every > model.simulation.until)) return {};
   return fmt::format(" note: a row is recorded every {:g} s, and the run ends at t = {:g} s\n",

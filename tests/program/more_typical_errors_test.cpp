@@ -272,6 +272,21 @@ TEST_F(MoreTypicalErrors, BodiesThatTouchNothingAreNoted) {
       << out();
 }
 
+TEST_F(MoreTypicalErrors, JointsOfCopiesAreSeenBesideTheirStops) {
+  write(
+      "chain.xml",
+      "<dynamy version=\"1\"><systems><Ground name=\"world\"/><replicate count=\"3\" index=\"i\">"
+      "<RigidBody name=\"link\" position=\"{0.5+i} 0 0\" mass=\"1\" inertia=\"1 1 1\"/></replicate>"
+      "</systems><forces><Gravity/><JointSpring between=\"world link[0]\" axis=\"0 1 0\" "
+      "stiffness=\"5\"/></forces><elements><Revolute between=\"world link[0]\" at=\"0 0 0\" "
+      "axis=\"0 1 0\"/><replicate count=\"2\" index=\"i\"><Revolute between=\"link link[{i+1}]\" "
+      "at=\"{i+1} 0 0\" axis=\"0 1 0\"/><JointStop between=\"link link[{i+1}]\" at=\"{i+1} 0 0\" "
+      "axis=\"0 1 0\" lower=\"-0.5\" upper=\"0.5\"/></replicate></elements>"
+      "<simulation until=\"0.1\" tolerance=\"1e-6\"/></dynamy>");
+  EXPECT_EQ(call("check chain.xml"), 0) << err();
+  EXPECT_EQ(out().find(" note: "), std::string::npos) << out();
+}
+
 TEST_F(MoreTypicalErrors, ValuesOfOneRunAreToldFromThoseOfASweep) {
   write("m.xml", kTypicalModel);
   EXPECT_NE(call("run m.xml --set mu=0.3,0.4 --out r"), 0);

@@ -198,10 +198,6 @@ std::vector<std::string> byOwners(const std::vector<std::string>& names) {
   return out;
 }
 
-}  // namespace
-
-namespace {
-
 /// "ball" and "ball[3]", where there are ball[0] to ball[2]: what their names are; else "".
 std::string copiesOf(std::string_view name, const std::vector<std::string>& known) {
   const std::string stem = std::string(name.substr(0, name.find('['))) + '[';
